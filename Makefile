@@ -1,0 +1,156 @@
+# bandlimit: one file builds everything; outputs stand under build/.
+#
+#   make            the program and the libraries          make check      all tests
+#   make reproduce  the figures, into out/                 make bench      the benchmark
+#   make install    PREFIX=/usr/local DESTDIR=             make format     clang-format
+#   make asan, ubsan, tsan   the quick tests under a sanitizer
+#   make check T=word    only the tests whose name has the word; SCALE=10 repeats more
+
+PREFIX ?= /usr/local
+BUILD ?= build
+CFLAGS ?= -O3 -g
+CXXFLAGS ?= -O2 -g
+JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+VERSION := $(shell sed -n 's/.*BL_VERSION "\(.*\)".*/\1/p' core/version.h)
+SOVERSION := 0
+
+# --- what is built ------------------------------------------------------------------------------
+
+NOISES := $(shell sed -n 's/^BL_NOISE(\(.*\))/\1/p' noises/noises.def)
+ISAS := baseline v3 v4
+LIBRARY_C := $(wildcard core/*.c spectra/*.c reports/*.c reports/figures/*.c) \
+    $(filter-out $(NOISES:%=noises/%.c),$(wildcard noises/*.c))
+LIBRARY_OBJECTS := $(LIBRARY_C:%.c=$(BUILD)/%.o) $(BUILD)/reports/oiio.o \
+    $(foreach isa,$(ISAS),$(NOISES:%=$(BUILD)/noises/%.$(isa).o))
+PROGRAM_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard cli/*.c))
+TESTS := $(patsubst tests/%.c,%,$(wildcard tests/t-*.c))
+TEST_HELPERS := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/t-*.c),$(wildcard tests/*.c)))
+OBJECTS := $(LIBRARY_OBJECTS) $(PROGRAM_OBJECTS) $(TESTS:%=$(BUILD)/tests/%.o) $(TEST_HELPERS)
+HEADERS := $(wildcard core/*.h noises/*.h spectra/*.h reports/*.h)
+
+# Expanded when first used, and once: `make deps` may have to install pkg-config first.
+once = $(eval $(1) := $(shell $(2)))$($(1))
+PACKAGES_USED := fftw3 fftw3f jansson
+PACKAGE_FLAGS = $(call once,PACKAGE_FLAGS,pkg-config --cflags $(PACKAGES_USED))
+PACKAGE_LIBS = $(call once,PACKAGE_LIBS,pkg-config --libs $(PACKAGES_USED))
+OIIO_FLAGS = $(call once,OIIO_FLAGS,pkg-config --cflags OpenImageIO)
+OIIO_LIBS = $(call once,OIIO_LIBS,pkg-config --libs OpenImageIO)
+TEST_LIBS = $(call once,TEST_LIBS,pkg-config --libs cmocka gsl mpfr)
+
+WARNINGS := -Wall -Wextra -Wshadow -Wpointer-arith -Wundef -Wvla -Wwrite-strings
+C_WARNINGS := $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes
+ifeq ($(CI),true)
+WARNINGS += -Werror
+endif
+# The same bits on every instruction set: no contraction to fused operations, no reordering. The
+# other two flags change no value; they free the compiler from errno and from floating traps.
+NUMBERS := -ffp-contract=off -fno-math-errno -fno-trapping-math
+COMMON := -I. -fPIC -fopenmp -MMD -MP $(SANITIZE)
+COMPILE_C = $(CC) -std=gnu17 -D_GNU_SOURCE $(C_WARNINGS) $(NUMBERS) $(COMMON) $(PACKAGE_FLAGS) $(CFLAGS)
+LIBS = $(PACKAGE_LIBS) -lfftw3_omp -lfftw3f_omp $(OIIO_LIBS) -lpthread -ldl -lm
+
+ISA_FLAGS_baseline := -march=x86-64-v2
+ISA_FLAGS_v3 := -march=x86-64-v3
+ISA_FLAGS_v4 := -march=x86-64-v4 -mprefer-vector-width=512
+
+.PHONY: all check reproduce bench install deps format clean asan ubsan tsan
+.DELETE_ON_ERROR:
+all: $(BUILD)/bandlimit $(BUILD)/libbandlimit.a $(BUILD)/libbandlimit.so $(BUILD)/bandlimit.pc
+
+$(BUILD)/%.o: %.c
+	@mkdir -p $(@D)
+	$(COMPILE_C) -c $< -o $@
+
+$(BUILD)/reports/oiio.o: reports/oiio.cpp
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 $(WARNINGS) $(COMMON) $(OIIO_FLAGS) $(CXXFLAGS) -c $< -o $@
+
+define noise_rule
+$(BUILD)/noises/%.$(1).o: noises/%.c
+	@mkdir -p $$(@D)
+	$$(COMPILE_C) -DBL_ISA=$(1) $$(ISA_FLAGS_$(1)) -c $$< -o $$@
+endef
+$(foreach isa,$(ISAS),$(eval $(call noise_rule,$(isa))))
+
+$(BUILD)/libbandlimit.a: $(LIBRARY_OBJECTS)
+	rm -f $@
+	ar rcs $@ $^
+
+$(BUILD)/libbandlimit.so.$(SOVERSION): $(LIBRARY_OBJECTS)
+	$(CXX) -shared -Wl,-soname,$(@F) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) -o $@
+
+$(BUILD)/libbandlimit.so: $(BUILD)/libbandlimit.so.$(SOVERSION)
+	ln -sf $(<F) $@
+
+$(BUILD)/bandlimit: $(PROGRAM_OBJECTS) $(BUILD)/libbandlimit.a
+	$(CXX) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) -o $@
+
+$(BUILD)/bandlimit.pc: bandlimit.pc.in core/version.h
+	@mkdir -p $(@D)
+	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|' $< > $@
+
+# --- tests --------------------------------------------------------------------------------------
+
+$(BUILD)/tests/t-%: $(BUILD)/tests/t-%.o $(TEST_HELPERS) $(BUILD)/libbandlimit.a
+	$(CXX) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) $(TEST_LIBS) -o $@
+
+# A log is always made anew; the last line counts what all of them say.
+LOGS := $(TESTS:%=$(BUILD)/tests/%.log)
+.PHONY: $(LOGS)
+$(LOGS): %.log: % $(BUILD)/bandlimit
+	@BL_PROGRAM=$(BUILD)/bandlimit BL_BUILD=$(BUILD) T='$(T)' SCALE='$(SCALE)' \
+	    sh tests/run.sh $< $@
+
+check: deps
+	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/bandlimit $(TESTS:%=$(BUILD)/tests/%)
+	@$(MAKE) --no-print-directory -j$(JOBS) --output-sync=target $(LOGS)
+	@sh tests/summary.sh $(LOGS)
+
+# Sanitized builds stand apart; their speed asks for the quick tests only.
+asan ubsan tsan: deps
+	@$(MAKE) --no-print-directory check BUILD=build/$@ CFLAGS='-O1 -g' CXXFLAGS='-O1 -g' \
+	    SANITIZE='$(SANITIZE_$@)' SCALE=0.1 ASAN_OPTIONS=$(ASAN_OPTIONS)
+SANITIZE_asan := -fsanitize=address -fno-omit-frame-pointer
+SANITIZE_ubsan := -fsanitize=undefined,float-cast-overflow -fno-sanitize-recover=all
+SANITIZE_tsan := -fsanitize=thread
+
+# --- use ----------------------------------------------------------------------------------------
+
+reproduce: deps
+	@$(MAKE) --no-print-directory -j$(JOBS) all
+	$(BUILD)/bandlimit reproduce -o out
+
+bench: all
+	$(BUILD)/bandlimit bench
+
+install: all
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/pkgconfig \
+	    $(DESTDIR)$(PREFIX)/share/man/man1 \
+	    $(DESTDIR)$(PREFIX)/share/bash-completion/completions
+	install -m 755 $(BUILD)/bandlimit $(DESTDIR)$(PREFIX)/bin/
+	install -m 644 $(BUILD)/libbandlimit.a $(DESTDIR)$(PREFIX)/lib/
+	install -m 755 $(BUILD)/libbandlimit.so.$(SOVERSION) $(DESTDIR)$(PREFIX)/lib/
+	ln -sf libbandlimit.so.$(SOVERSION) $(DESTDIR)$(PREFIX)/lib/libbandlimit.so
+	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|' bandlimit.pc.in \
+	    > $(DESTDIR)$(PREFIX)/lib/pkgconfig/bandlimit.pc
+	for header in $(HEADERS); do \
+	    install -D -m 644 $$header $(DESTDIR)$(PREFIX)/include/bandlimit/$$header; done
+	install -m 644 include/bandlimit.h $(DESTDIR)$(PREFIX)/include/bandlimit/
+	install -m 644 man/bandlimit.1 $(DESTDIR)$(PREFIX)/share/man/man1/
+	install -m 644 completion/bandlimit.bash \
+	    $(DESTDIR)$(PREFIX)/share/bash-completion/completions/bandlimit
+
+format:
+	clang-format -i $$(git ls-files '*.c' '*.h' '*.cpp')
+
+clean:
+	rm -rf build
+
+# --- dependencies -------------------------------------------------------------------------------
+
+DEBIAN_PACKAGES := gcc g++ make pkg-config libc6-dev libgomp1 libfftw3-dev libopenimageio-dev \
+    openimageio-tools gnuplot-nox libjansson-dev libcmocka-dev libgsl-dev libmpfr-dev
+deps:
+	@sh deps.sh $(DEBIAN_PACKAGES)
+
+-include $(OBJECTS:.o=.d)

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+//
+// The contract of a verb, the registry of verbs, and what a verb is given to run.
+//
+// A verb is one file of this folder, which ends with one descriptor, and one line in verbs.def. It
+// reads its settings, measures through the library, and either prints to run->out or fills
+// run->json; it never opens stdout and never exits.
+#ifndef BL_CLI_VERB_H
+#define BL_CLI_VERB_H
+
+#include <jansson.h>
+#include <stdio.h>
+
+#include "cli/option.h"
+#include "core/signal.h"
+#include "noises/noise.h"
+
+#ifndef BL_VERSION
+#define BL_VERSION "0.1.0"
+#endif
+
+typedef struct bl_verb bl_verb;
+
+// The options that every verb takes.
+typedef struct bl_common {
+    int json, quick, full, quiet, help, version;
+    const char *output;
+    uint64_t seed;
+    const char *seed_word; // NULL: not given
+    uint64_t threads;      // 0: as many as OpenMP gives
+    const char *isa;       // NULL: the best here
+} bl_common;
+
+typedef struct bl_run {
+    const bl_verb *verb;
+    int argument_count; // as typed, for JSON
+    char **arguments;
+    bl_common common;
+    void *settings;    // the verb's own block
+    bl_words operands; // at least verb->least, at most verb->most
+    bl_isa isa;
+    FILE *out;    // the report: stdout, or the file of -o
+    json_t *json; // with --json: the verb's object; NULL until it is made
+    bl_message message;
+} bl_run;
+
+// What -o means for a verb.
+typedef enum bl_output {
+    BL_OUTPUT_REPORT, // the report (or with --json the object) goes to the file
+    BL_OUTPUT_DATA,   // the verb writes a data file beside its report
+    BL_OUTPUT_FOLDER  // the verb writes into a folder
+} bl_output;
+
+struct bl_verb {
+    const char *name;
+    const char *operands; // as in the usage line: "SIGNAL [X [Y [Z [W]]]]"
+    const char *summary;  // one line
+    const char *text;     // the paragraphs of its help
+    unsigned least, most; // operands
+    bl_output output;
+    const char *output_help;
+    const bl_option *options; // its own; ends with an empty one
+    size_t settings_size;
+    // Returns BL_OK, a verdict (1, 2), or an error with run->message filled.
+    bl_status (*run)(bl_run *run);
+};
+
+extern const bl_option bl_common_options[];
+extern const bl_option bl_no_options[];
+
+size_t bl_verb_count(void);
+const bl_verb *bl_verb_at(size_t index);
+const bl_verb *bl_verb_find(const char *name);
+// "unknown verb ...", with the nearest one.
+bl_status bl_verb_report_unknown(const char *name, bl_message *message);
+
+// Starts run->json with the schema, the version and the arguments; NULL without --json.
+json_t *bl_json_start(bl_run *run);
+
+// Opens the run's signal by its text, for the run's instruction set.
+bl_status bl_run_open(bl_run *run, const char *text, bl_signal **signal);
+
+// Threads to use: what --threads says, or what OpenMP gives.
+int bl_run_threads(const bl_run *run);
+
+// One line of progress, overwritten by the next, to stderr when that is a terminal and --quiet is
+// not given; NULL clears it.
+void bl_progress(const bl_run *run, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+// The word of a verdict, coloured when the report goes to a terminal and NO_COLOR is not set. The
+// result is constant text.
+const char *bl_run_verdict(const bl_run *run, bl_status status);
+
+#endif

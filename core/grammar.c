@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "core/grammar.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+int bl_read_unsigned(const char *word, unsigned long long *out) {
+    if (!isdigit((unsigned char)*word)) // strtoull would take blanks and a sign
+        return 0;
+    char *end;
+    errno = 0;
+    int base = word[0] == '0' && (word[1] == 'x' || word[1] == 'X') ? 16 : 10;
+    *out = strtoull(word, &end, base);
+    return errno == 0 && *end == '\0';
+}
+
+static int read_plain_real(const char *word, size_t length, double *out) {
+    char buffer[64];
+    if (length == 0 || length >= sizeof buffer || isspace((unsigned char)*word))
+        return 0;
+    memcpy(buffer, word, length);
+    buffer[length] = '\0';
+    char *end;
+    *out = strtod(buffer, &end);
+    return *end == '\0' && isfinite(*out);
+}
+
+int bl_read_real(const char *word, double *out) {
+    const char *slash = strchr(word, '/');
+    if (!slash)
+        return read_plain_real(word, strlen(word), out);
+    double top, bottom;
+    if (!read_plain_real(word, (size_t)(slash - word), &top) ||
+        !read_plain_real(slash + 1, strlen(slash + 1), &bottom) || bottom == 0)
+        return 0;
+    *out = top / bottom;
+    return isfinite(*out);
+}
+
+static size_t smallest(size_t a, size_t b, size_t c) {
+    size_t least = a < b ? a : b;
+    return least < c ? least : c;
+}
+
+enum { LONGEST_WORD = 63 };
+
+// Levenshtein's distance, one row at a time.
+static size_t edit_distance(const char *a, const char *b) {
+    size_t rows[LONGEST_WORD + 1], length = strlen(b);
+    for (size_t j = 0; j <= length; j++)
+        rows[j] = j;
+    for (size_t i = 1; a[i - 1]; i++) {
+        size_t diagonal = rows[0];
+        rows[0] = i;
+        for (size_t j = 1; j <= length; j++) {
+            size_t change = diagonal + (a[i - 1] != b[j - 1]);
+            diagonal = rows[j];
+            rows[j] = smallest(rows[j] + 1, rows[j - 1] + 1, change);
+        }
+    }
+    return rows[length];
+}
+
+const char *bl_nearest(const char *word, const char *const *candidates) {
+    const char *best = NULL;
+    size_t length = strlen(word), least = SIZE_MAX;
+    if (length > LONGEST_WORD)
+        return NULL;
+    for (; *candidates; candidates++) {
+        if (strlen(*candidates) > LONGEST_WORD)
+            continue;
+        size_t distance = edit_distance(word, *candidates);
+        if (distance < least && distance <= (length + 1) / 2) {
+            least = distance;
+            best = *candidates;
+        }
+    }
+    return best;
+}
+
+void bl_spec_free(bl_spec *spec) {
+    for (size_t i = 0; i < spec->count; i++) {
+        free(spec->settings[i].key);
+        free(spec->settings[i].value);
+    }
+    free(spec->settings);
+    free(spec->name);
+    *spec = (bl_spec){0};
+}
+
+static bl_status add_setting(bl_spec *spec, const char *text, const char *at, size_t length,
+                             bl_message *message) {
+    size_t column = (size_t)(at - text) + 1;
+    const char *equals = memchr(at, '=', length);
+    if (length == 0)
+        return bl_report(message, BL_USAGE,
+                         "column %zu of '%s': expected key=value, found nothing", column, text);
+    if (!equals || equals == at || equals + 1 == at + length)
+        return bl_report(message, BL_USAGE, "'%.*s' at column %zu of '%s': expected key=value",
+                         (int)length, at, column, text);
+    bl_setting *settings = realloc(spec->settings, (spec->count + 1) * sizeof *settings);
+    if (!settings)
+        return bl_report(message, BL_DEVICE, "out of memory reading '%s'", text);
+    spec->settings = settings;
+    size_t key_length = (size_t)(equals - at);
+    bl_setting *added = &settings[spec->count];
+    added->key = strndup(at, key_length);
+    added->value = strndup(equals + 1, length - key_length - 1);
+    added->key_column = column;
+    added->value_column = column + key_length + 1;
+    spec->count++;
+    if (!added->key || !added->value)
+        return bl_report(message, BL_DEVICE, "out of memory reading '%s'", text);
+    return BL_OK;
+}
+
+bl_status bl_spec_parse(const char *text, bl_spec *spec, bl_message *message) {
+    *spec = (bl_spec){0};
+    const char *colon = strchr(text, ':');
+    size_t name_length = colon ? (size_t)(colon - text) : strlen(text);
+    if (name_length == 0)
+        return bl_report(message, BL_USAGE,
+                         "'%s' has no name; a signal reads name:key=value,key=value", text);
+    spec->name = strndup(text, name_length);
+    bl_status status =
+        spec->name ? BL_OK : bl_report(message, BL_DEVICE, "out of memory reading '%s'", text);
+    const char *at = colon ? colon + 1 : NULL;
+    while (status == BL_OK && at) {
+        const char *comma = strchr(at, ',');
+        status = add_setting(spec, text, at, comma ? (size_t)(comma - at) : strlen(at), message);
+        at = comma ? comma + 1 : NULL;
+    }
+    if (status != BL_OK)
+        bl_spec_free(spec);
+    return status;
+}

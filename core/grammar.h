@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// The grammar that names a signal everywhere: `name:key=value,key=value`.
+//
+// The name ends at the first colon; a value may hold further colons (kernel=table:100) but no
+// comma. A parse error names the word, its column (from 1), and the nearest valid word.
+#ifndef BL_CORE_GRAMMAR_H
+#define BL_CORE_GRAMMAR_H
+
+#include <stddef.h>
+
+#include "core/status.h"
+
+typedef struct bl_setting {
+    char *key;
+    char *value;
+    size_t key_column; // from 1, in the whole text
+    size_t value_column;
+} bl_setting;
+
+typedef struct bl_spec {
+    char *name;
+    bl_setting *settings;
+    size_t count;
+} bl_spec;
+
+// Splits the text; on success the caller frees the spec with bl_spec_free.
+bl_status bl_spec_parse(const char *text, bl_spec *spec, bl_message *message);
+void bl_spec_free(bl_spec *spec);
+
+// The kinds of value a parameter takes, and the C type that stands at its offset.
+typedef enum bl_parameter_kind {
+    BL_SEED,    // uint64_t, decimal or 0x hexadecimal
+    BL_INTEGER, // uint32_t in [minimum, maximum]
+    BL_REAL,    // double in [minimum, maximum]; a fraction as 1/16 is read too
+    BL_CHOICE   // uint32_t, the index in choices; a choice "table:N" is followed by a number
+} bl_parameter_kind;
+
+typedef struct bl_parameter {
+    const char *key; // NULL ends a list
+    bl_parameter_kind kind;
+    size_t offset;              // in the parameter block
+    const char *const *choices; // BL_CHOICE: the words, NULL at the end
+    size_t number_offset;       // BL_CHOICE with ":N": where the uint32_t N stands
+    double minimum, maximum;    // BL_INTEGER, BL_REAL, and the N of a choice; inclusive
+    const char *fallback;       // the default, as text
+    const char *unit;           // "" if none
+    const char *help;           // one line
+} bl_parameter;
+
+// Fills a parameter block with the defaults, then with the settings of the spec. Every setting
+// must be in the list, once. `text` is the whole text for messages.
+bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec,
+                             const char *text, void *block, bl_message *message);
+
+// The canonical text: the name and every setting that differs from its default, in the order of
+// the list. The caller frees it; NULL if out of memory.
+char *bl_parameters_text(const char *name, const bl_parameter *parameters, const void *block);
+
+// The candidate nearest to a word by edit distance, or NULL if none is near (more than half of
+// the word's letters would have to change). `candidates` ends with NULL.
+const char *bl_nearest(const char *word, const char *const *candidates);
+
+// Reads a whole word as a number: false on trailing letters, on nothing, and out of range.
+// bl_read_real takes 1/16 as a fraction, and neither NaN nor infinity.
+int bl_read_unsigned(const char *word, unsigned long long *out);
+int bl_read_real(const char *word, double *out);
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// The 64-bit integer hash that all random numbers of the project come from.
+//
+//   mix(x): three rounds of xor-shift, two odd multiplications between them; a bijection of the
+//   64-bit integers. Every input bit flips every output bit with probability 1/2 to within what
+//   2^16 trials can tell (t-hash).
+//
+// The multipliers are fractional parts in units of 2^-64, made odd: of the golden ratio, and of
+// sqrt(2) times an odd part chosen by nothing else: floor(2^64 * frac(sqrt 2)) | 1.
+#ifndef BL_CORE_HASH_H
+#define BL_CORE_HASH_H
+
+#include <stdint.h>
+
+#define BL_GOLDEN UINT64_C(0x9E3779B97F4A7C15)  // floor(2^64 (sqrt 5 - 1)/2) | 1
+#define BL_ROOT_TWO UINT64_C(0x6A09E667F3BCC909) // floor(2^64 (sqrt 2 - 1)) | 1
+
+static inline uint64_t bl_mix(uint64_t x) {
+    x ^= x >> 32;
+    x *= BL_GOLDEN;
+    x ^= x >> 29;
+    x *= BL_ROOT_TWO;
+    x ^= x >> 32;
+    return x;
+}
+
+// The seed of an independent stream: streams of one seed, and equal streams of neighbouring
+// seeds, share nothing that the tests can find.
+static inline uint64_t bl_stream(uint64_t seed, uint64_t stream) {
+    return bl_mix(bl_mix(seed + BL_GOLDEN) ^ (stream * BL_ROOT_TWO + BL_GOLDEN));
+}
+
+#endif

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+//
+// Parameter blocks: filled from text by a list of parameters, and written back as text.
+#include "core/grammar.h"
+
+#include <inttypes.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_PARAMETERS = 64 };
+
+// Where a value stands in the text, for messages; the default values stand nowhere.
+typedef struct place {
+    const char *text;
+    size_t column;
+} place;
+
+static bl_status report_value(const bl_parameter *parameter, const char *value, place at,
+                              const char *expected, bl_message *message) {
+    return bl_report(message, BL_USAGE, "%s=%s at column %zu of '%s': expected %s", parameter->key,
+                     value, at.column, at.text, expected);
+}
+
+static bl_status read_integer(const bl_parameter *parameter, const char *value, place at,
+                              uint32_t *out, bl_message *message) {
+    unsigned long long number;
+    if (!bl_read_unsigned(value, &number) || (double)number < parameter->minimum ||
+        (double)number > parameter->maximum) {
+        char expected[96];
+        snprintf(expected, sizeof expected, "a whole number from %.0f to %.0f", parameter->minimum,
+                 parameter->maximum);
+        return report_value(parameter, value, at, expected, message);
+    }
+    *out = (uint32_t)number;
+    return BL_OK;
+}
+
+static bl_status read_real(const bl_parameter *parameter, const char *value, place at, double *out,
+                           bl_message *message) {
+    if (!bl_read_real(value, out) || *out < parameter->minimum || *out > parameter->maximum) {
+        char expected[96];
+        snprintf(expected, sizeof expected, "a number from %g to %g", parameter->minimum,
+                 parameter->maximum);
+        return report_value(parameter, value, at, expected, message);
+    }
+    return BL_OK;
+}
+
+static bl_status report_choice(const bl_parameter *parameter, const char *value, place at,
+                               bl_message *message) {
+    char expected[512] = "one of";
+    for (size_t i = 0; parameter->choices[i]; i++) {
+        size_t used = strlen(expected);
+        snprintf(expected + used, sizeof expected - used, " %s", parameter->choices[i]);
+    }
+    const char *near = bl_nearest(value, parameter->choices);
+    if (near) {
+        size_t used = strlen(expected);
+        snprintf(expected + used, sizeof expected - used, "; did you mean '%s'?", near);
+    }
+    return report_value(parameter, value, at, expected, message);
+}
+
+// A choice written "table:N" matches "table:" followed by a whole number.
+static bl_status read_choice(const bl_parameter *parameter, const char *value, place at,
+                             void *block, bl_message *message) {
+    for (uint32_t i = 0; parameter->choices[i]; i++) {
+        const char *choice = parameter->choices[i];
+        const char *colon = strchr(choice, ':');
+        size_t stem = colon ? (size_t)(colon - choice) + 1 : 0;
+        if (colon ? strncmp(value, choice, stem) != 0 : strcmp(value, choice) != 0)
+            continue;
+        memcpy((char *)block + parameter->offset, &i, sizeof i);
+        if (!colon)
+            return BL_OK;
+        uint32_t number;
+        bl_status status = read_integer(parameter, value + stem, (place){at.text, at.column + stem},
+                                        &number, message);
+        if (status == BL_OK)
+            memcpy((char *)block + parameter->number_offset, &number, sizeof number);
+        return status;
+    }
+    return report_choice(parameter, value, at, message);
+}
+
+static bl_status read_value(const bl_parameter *parameter, const char *value, place at, void *block,
+                            bl_message *message) {
+    char *target = (char *)block + parameter->offset;
+    bl_status status = BL_OK;
+    switch (parameter->kind) {
+    case BL_SEED: {
+        unsigned long long seed;
+        if (!bl_read_unsigned(value, &seed))
+            return report_value(parameter, value, at,
+                                "a whole number from 0 to 18446744073709551615, or 0x...", message);
+        memcpy(target, &(uint64_t){seed}, sizeof(uint64_t));
+        break;
+    }
+    case BL_INTEGER: {
+        uint32_t number;
+        if ((status = read_integer(parameter, value, at, &number, message)) == BL_OK)
+            memcpy(target, &number, sizeof number);
+        break;
+    }
+    case BL_REAL: {
+        double number;
+        if ((status = read_real(parameter, value, at, &number, message)) == BL_OK)
+            memcpy(target, &number, sizeof number);
+        break;
+    }
+    case BL_CHOICE:
+        status = read_choice(parameter, value, at, block, message);
+        break;
+    }
+    return status;
+}
+
+static bl_status report_key(const bl_parameter *parameters, const bl_setting *setting,
+                            const char *text, bl_message *message) {
+    const char *keys[MOST_PARAMETERS + 1] = {NULL};
+    char all[512] = "";
+    for (size_t i = 0; parameters[i].key && i < MOST_PARAMETERS; i++) {
+        keys[i] = parameters[i].key;
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", i ? " " : "", keys[i]);
+    }
+    const char *near = bl_nearest(setting->key, keys);
+    return bl_report(message, BL_USAGE, "unknown key '%s' at column %zu of '%s'%s%s%s; keys: %s",
+                     setting->key, setting->key_column, text, near ? "; did you mean '" : "",
+                     near ? near : "", near ? "'?" : "", all);
+}
+
+bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec, const char *text,
+                             void *block, bl_message *message) {
+    unsigned char seen[MOST_PARAMETERS] = {0};
+    for (const bl_parameter *parameter = parameters; parameter->key; parameter++) {
+        bl_status status =
+            read_value(parameter, parameter->fallback, (place){"default", 0}, block, message);
+        if (status != BL_OK)
+            return status;
+    }
+    for (size_t i = 0; i < spec->count; i++) {
+        const bl_setting *setting = &spec->settings[i];
+        size_t index = 0;
+        while (parameters[index].key && strcmp(parameters[index].key, setting->key) != 0)
+            index++;
+        if (!parameters[index].key)
+            return report_key(parameters, setting, text, message);
+        if (seen[index]++)
+            return bl_report(message, BL_USAGE, "key '%s' at column %zu of '%s' is given twice",
+                             setting->key, setting->key_column, text);
+        bl_status status = read_value(&parameters[index], setting->value,
+                                      (place){text, setting->value_column}, block, message);
+        if (status != BL_OK)
+            return status;
+    }
+    return BL_OK;
+}
+
+// The shortest decimal that reads back as the same double.
+static void print_real(double value, char *out, size_t size) {
+    for (int digits = 1; digits <= 17; digits++) {
+        snprintf(out, size, "%.*g", digits, value);
+        if (strtod(out, NULL) == value)
+            return;
+    }
+}
+
+static void print_value(const bl_parameter *parameter, const void *block, char *out, size_t size) {
+    const char *source = (const char *)block + parameter->offset;
+    uint64_t seed;
+    uint32_t number;
+    double real;
+    switch (parameter->kind) {
+    case BL_SEED:
+        memcpy(&seed, source, sizeof seed);
+        snprintf(out, size, "%" PRIu64, seed);
+        break;
+    case BL_INTEGER:
+        memcpy(&number, source, sizeof number);
+        snprintf(out, size, "%" PRIu32, number);
+        break;
+    case BL_REAL:
+        memcpy(&real, source, sizeof real);
+        print_real(real, out, size);
+        break;
+    case BL_CHOICE: {
+        memcpy(&number, source, sizeof number);
+        const char *choice = parameter->choices[number];
+        const char *colon = strchr(choice, ':');
+        int stem = colon ? (int)(colon - choice) + 1 : (int)strlen(choice);
+        snprintf(out, size, "%.*s", stem, choice);
+        if (colon) {
+            memcpy(&number, (const char *)block + parameter->number_offset, sizeof number);
+            snprintf(out + stem, size - (size_t)stem, "%" PRIu32, number);
+        }
+        break;
+    }
+    }
+}
+
+char *bl_parameters_text(const char *name, const bl_parameter *parameters, const void *block) {
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    if (!stream)
+        return NULL;
+    fputs(name, stream);
+    char separator = ':';
+    for (const bl_parameter *parameter = parameters; parameter->key; parameter++) {
+        char value[128];
+        print_value(parameter, block, value, sizeof value);
+        if (strcmp(value, parameter->fallback) == 0)
+            continue;
+        fprintf(stream, "%c%s=%s", separator, parameter->key, value);
+        separator = ',';
+    }
+    if (fclose(stream) != 0) {
+        free(text);
+        return NULL;
+    }
+    return text;
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "core/signal.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+bl_facts bl_facts_unknown(void) {
+    return (bl_facts){.lower = NAN,
+                      .upper = NAN,
+                      .mean = NAN,
+                      .variance = NAN,
+                      .band_from = NAN,
+                      .band_to = NAN,
+                      .leak_db = NAN,
+                      .continuity = -1,
+                      .period = NAN,
+                      .far = NAN,
+                      .covariance_reach = NAN};
+}
+
+bl_signal *bl_signal_new(const bl_signal_functions *functions, const void *parameters,
+                         size_t parameters_size, const char *text) {
+    bl_signal *signal = calloc(1, sizeof *signal);
+    if (!signal)
+        return NULL;
+    signal->functions = functions;
+    signal->parameters = malloc(parameters_size);
+    signal->parameters_size = parameters_size;
+    signal->seed_offset = SIZE_MAX;
+    signal->text = strdup(text);
+    signal->name = "";
+    signal->facts = bl_facts_unknown();
+    if (!signal->parameters || !signal->text) {
+        free(signal->parameters);
+        free(signal->text);
+        free(signal);
+        return NULL;
+    }
+    memcpy(signal->parameters, parameters, parameters_size);
+    return signal;
+}
+
+bl_signal *bl_signal_reseed(const bl_signal *signal, uint64_t seed) {
+    if (signal->seed_offset == SIZE_MAX || signal->functions->release)
+        return NULL;
+    bl_signal *copy = bl_signal_new(signal->functions, signal->parameters,
+                                    signal->parameters_size, signal->text);
+    if (!copy)
+        return NULL;
+    memcpy((char *)copy->parameters + signal->seed_offset, &seed, sizeof seed);
+    copy->seed_offset = signal->seed_offset;
+    copy->dimensions = signal->dimensions;
+    copy->name = signal->name;
+    copy->closed_form = signal->closed_form;
+    copy->facts = signal->facts;
+    copy->extent = signal->extent;
+    return copy;
+}
+
+void bl_signal_free(bl_signal *signal) {
+    if (!signal)
+        return;
+    if (signal->functions->release)
+        signal->functions->release(signal->parameters);
+    free(signal->parameters);
+    free(signal->text);
+    free(signal);
+}
+
+int bl_signal_has_closed_form(const bl_signal *signal) {
+    return signal->closed_form && signal->functions->covariance;
+}
+
+void bl_signal_row(const bl_signal *signal, const double start[BL_AXES],
+                   const double step[BL_AXES], size_t count, float *out) {
+    signal->functions->row(signal->parameters, start, step, count, out);
+}
+
+void bl_signal_points(const bl_signal *signal, const double *const at[BL_AXES], size_t count,
+                      float *out) {
+    signal->functions->points(signal->parameters, at, count, out);
+}
+
+double bl_signal_value(const bl_signal *signal, const double at[BL_AXES]) {
+    return signal->functions->value(signal->parameters, at);
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+//
+// A signal: anything with values over space. Every analysis takes a signal and nothing else.
+//
+// A signal is a table of functions (its abilities), a flat block of parameters, and a few facts
+// stated as data. Signals are immutable after creation: all functions may be called from several
+// threads at once. Coordinates are in the unit of the signal's domain (a lattice cell for a
+// noise); a signal of fewer dimensions ignores the coordinates it does not use.
+#ifndef BL_CORE_SIGNAL_H
+#define BL_CORE_SIGNAL_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/status.h"
+
+enum { BL_AXES = 4 }; // x, y, z, w
+
+typedef struct bl_signal bl_signal;
+
+// The abilities. A function gets the signal's parameter block; the ones marked optional may be
+// NULL.
+typedef struct bl_signal_functions {
+    // Fills out[i] with the value at start + i*step, each coordinate computed in double as
+    // start[a] + (double)i * step[a]. NaN, infinite or too large coordinates give NaN.
+    void (*row)(const void *parameters, const double start[BL_AXES], const double step[BL_AXES],
+                size_t count, float *out);
+    // Fills out[i] with the value at (at[0][i], at[1][i], ...); all BL_AXES arrays are readable.
+    void (*points)(const void *parameters, const double *const at[BL_AXES], size_t count,
+                   float *out);
+    // The reference: the value at one point, in double throughout.
+    double (*value)(const void *parameters, const double at[BL_AXES]);
+    // Optional: the analytic gradient at one point.
+    void (*gradient)(const void *parameters, const double at[BL_AXES], double out[BL_AXES]);
+    // Optional (see bl_signal.closed_form): the autocovariance E[n(p) n(p+lag)] over places and seeds, a closed form. It is
+    // zero for every lag with a component of size >= facts.covariance_reach.
+    double (*covariance)(const void *parameters, const double lag[BL_AXES]);
+    // Optional: the closed-form power spectral density of the stationarised signal in all its
+    // dimensions, two-sided, value^2 per (cycle per unit)^dims; its integral is the variance.
+    double (*density)(const void *parameters, const double frequency[BL_AXES]);
+    // Optional: the mean over a box of the given widths centred at a point.
+    double (*box)(const void *parameters, const double at[BL_AXES], const double width[BL_AXES]);
+    // Optional: releases what the parameter block refers to (not the block itself). A signal
+    // that has it cannot be reseeded by copying its block.
+    void (*release)(void *parameters);
+} bl_signal_functions;
+
+// What a signal states about itself, as data that tests read. NAN stands for "not stated".
+typedef struct bl_facts {
+    double lower, upper;      // hard bound of the range
+    const char *bound_proof;  // how it is proved, in words; NULL if there is no bound
+    double mean, variance;    // over places and seeds
+    double band_from, band_to;// the claimed band, cycles per unit, of a spectrum along an axis ...
+    double leak_db;           // ... and the share of variance outside of it, dB of the variance
+    int continuity;           // -1 discontinuous, 0 for C0, 1 for C1, ...
+    double period;            // the smallest common period of all axes; 0: none
+    double far;               // the coordinate beyond which the fraction within a cell is lost
+    double covariance_reach;  // lags with a component beyond it have no covariance
+} bl_facts;
+
+// The grid of a sampled signal (an image); sizes 0 for a signal without one.
+typedef struct bl_extent {
+    size_t size[BL_AXES];    // samples along each axis; 0: unbounded
+    double spacing[BL_AXES]; // units between samples
+} bl_extent;
+
+struct bl_signal {
+    const bl_signal_functions *functions;
+    void *parameters; // owned
+    size_t parameters_size;
+    size_t seed_offset; // of the uint64_t seed in the block, or SIZE_MAX for a signal without one
+    unsigned dimensions;
+    int closed_form;  // whether covariance and density hold for these parameters
+    char *text;       // the canonical text that names it, owned
+    const char *name; // the registry name, or the word "image"
+    bl_facts facts;
+    bl_extent extent;
+};
+
+// Facts with nothing stated: every number NAN, continuity -1, no proof.
+bl_facts bl_facts_unknown(void);
+
+// Makes a signal around a copy of the parameter block and of the text; NULL if out of memory.
+bl_signal *bl_signal_new(const bl_signal_functions *functions, const void *parameters,
+                         size_t parameters_size, const char *text);
+
+// A copy of the signal that draws from another seed; for a signal without a seed, or one that
+// cannot be copied, NULL and the caller goes on with the original (it moves to a fresh place).
+bl_signal *bl_signal_reseed(const bl_signal *signal, uint64_t seed);
+
+// Releases the signal and all it owns; NULL is fine.
+void bl_signal_free(bl_signal *signal);
+
+// Shorthands for the abilities.
+int bl_signal_has_closed_form(const bl_signal *signal);
+void bl_signal_row(const bl_signal *signal, const double start[BL_AXES],
+                   const double step[BL_AXES], size_t count, float *out);
+void bl_signal_points(const bl_signal *signal, const double *const at[BL_AXES], size_t count,
+                      float *out);
+double bl_signal_value(const bl_signal *signal, const double at[BL_AXES]);
+
+#endif

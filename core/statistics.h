@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Distributions and intervals. All functions are pure. Probabilities outside (0, 1) give the end
+// of the distribution's support or NaN; degrees of freedom need not be whole.
+#ifndef BL_CORE_STATISTICS_H
+#define BL_CORE_STATISTICS_H
+
+#include <stddef.h>
+
+// A measured number: value, two-sided interval at `level`, and how many independent samples.
+typedef struct bl_estimate {
+    double value, lower, upper;
+    double level;
+    double samples;
+} bl_estimate;
+
+double bl_normal_cdf(double x);
+double bl_normal_quantile(double p);
+double bl_chi_square_cdf(double x, double nu);
+double bl_chi_square_quantile(double p, double nu);
+double bl_student_quantile(double p, double nu);
+
+// Mean and its Student interval from n independent values.
+bl_estimate bl_mean_estimate(const double *values, size_t n, double level);
+
+// Ratio of sums, sum(a)/sum(b), over n independent pairs: interval by the linearised variance of
+// the ratio (Student, n-1 degrees of freedom).
+bl_estimate bl_ratio_estimate(const double *a, const double *b, size_t n, double level);
+
+// Running moments to the fourth order, mergeable in a fixed order (Pebay 2008).
+typedef struct bl_moments {
+    double n, mean, m2, m3, m4;
+} bl_moments;
+
+void bl_moments_add(bl_moments *moments, double x);
+void bl_moments_merge(bl_moments *into, const bl_moments *from);
+double bl_moments_variance(const bl_moments *moments); // unbiased; NaN below two values
+double bl_moments_skewness(const bl_moments *moments);
+double bl_moments_kurtosis(const bl_moments *moments); // of a normal: 3
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+//
+// The contract of a noise, and the registry of all noises.
+//
+// A noise is one file, which ends with one descriptor, and one line in noises.def. The file is
+// compiled once for each instruction set; BL_NOISE_DESCRIPTOR gives the descriptor its suffixed
+// name, and everything else in the file is static. No analysis knows a noise by name: what it may
+// know stands in the descriptor.
+#ifndef BL_NOISES_NOISE_H
+#define BL_NOISES_NOISE_H
+
+#include "core/grammar.h"
+#include "core/signal.h"
+
+typedef struct bl_noise {
+    const char *name;    // in the registry and the grammar: "gnoise"
+    const char *title;   // "gradient noise"
+    const char *summary; // one sentence
+    const char *formula; // in plain text
+    const char *paper;   // key and page or section: "peachey2003, p. 75"
+    unsigned dimensions; // 1 to 4
+    const bl_parameter *parameters;
+    size_t parameters_size; // of the flat parameter block
+    size_t seed_offset;
+    // Fills the facts, which may depend on the parameters.
+    void (*describe)(const void *parameters, bl_facts *facts);
+    // Optional: whether the closed forms (covariance, density) hold for these parameters; NULL
+    // means that they always do. Sets bl_signal.closed_form.
+    int (*has_closed_form)(const void *parameters);
+    // Optional: the plain loops of the text in float, a call a point, with the default settings and
+    // the tables of noises/textbook.h: the yardstick of the benchmark, never used otherwise.
+    float (*textbook)(float x, float y, float z);
+    bl_signal_functions functions;
+} bl_noise;
+
+// The instruction sets every noise is compiled for; all give the same bits.
+typedef enum bl_isa { BL_ISA_BASELINE, BL_ISA_V3, BL_ISA_V4, BL_ISA_COUNT, BL_ISA_BEST } bl_isa;
+
+const char *bl_isa_name(bl_isa isa);                      // "baseline", "v3", "v4"
+int bl_isa_runs_here(bl_isa isa);                         // by the processor's own word
+bl_isa bl_isa_best(void);                                 // the highest that runs here
+bl_status bl_isa_read(const char *word, bl_isa *isa, bl_message *message);
+
+size_t bl_noise_count(void);
+// The descriptor of a noise by index or by name, compiled for `isa` (BL_ISA_BEST: the best here);
+// NULL past the end and for an unknown name.
+const bl_noise *bl_noise_at(size_t index, bl_isa isa);
+const bl_noise *bl_noise_find(const char *name, bl_isa isa);
+
+// Opens a noise by its text. The caller frees the signal.
+bl_status bl_noise_open(const char *text, bl_isa isa, bl_signal **signal, bl_message *message);
+
+// Names the descriptor of a noise file: BL_NOISE_DESCRIPTOR(gradient_noise) = {...};
+#define BL_PASTE_(a, b, c) a##b##_##c
+#define BL_PASTE(a, b, c) BL_PASTE_(a, b, c)
+#define BL_NOISE_DESCRIPTOR(stem)                                                                  \
+    extern const bl_noise BL_PASTE(bl_noise_, stem, BL_ISA);                                       \
+    const bl_noise BL_PASTE(bl_noise_, stem, BL_ISA)
+
+#endif

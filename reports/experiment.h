@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+//
+// The contract of a figure, the registry of all figures, and what a running figure may use.
+//
+// A figure is one file in reports/figures/, which ends with one descriptor, and one line in
+// reports/figures.def. Its run function measures through spectra/ and hands the numbers to the
+// services below, which write data files, plots, images and collect claims. The page, the CLI and
+// the tests pick it up from the registry.
+//
+// All services report into the run's message and return a status; a figure returns the first that
+// is not BL_OK. Texts given to the services are copied, except where it says otherwise.
+#ifndef BL_REPORTS_EXPERIMENT_H
+#define BL_REPORTS_EXPERIMENT_H
+
+#include <stddef.h>
+
+#include "core/status.h"
+#include "reports/claim.h"
+#include "reports/image.h"
+#include "reports/plot.h"
+#include "reports/reproduce.h"
+
+typedef struct bl_run bl_run;
+
+typedef struct bl_figure {
+    const char *name;     // "peachey-2.37"
+    const char *title;    // "Power spectra of six noises"
+    const char *question; // the one question it answers
+    const char *paper;    // key and place: "peachey2003, fig. 2.37"
+    const char *shows;    // a few sentences: what is drawn and how to read it
+    bl_status (*run)(bl_run *run, bl_message *message);
+} bl_figure;
+
+size_t bl_figure_count(void);
+const bl_figure *bl_figure_at(size_t index);          // NULL past the end
+const bl_figure *bl_figure_find(const char *name);    // NULL for an unknown name
+
+// Names the descriptor of a figure file: BL_FIGURE_DESCRIPTOR(peachey_2_37) = {...};
+#define BL_FIGURE_DESCRIPTOR(stem)                                                                 \
+    extern const bl_figure bl_figure_##stem;                                                       \
+    const bl_figure bl_figure_##stem
+
+// The settings of the whole reproduction, constant during a run.
+const bl_reproduce_settings *bl_run_settings(const bl_run *run);
+
+// The number for the run's size.
+double bl_run_pick(const bl_run *run, double quick, double normal, double full);
+
+// Tells the progress callback what is being done.
+void bl_run_step(bl_run *run, const char *step);
+
+// A text made by printf that lives as long as the result does; "" if out of memory.
+const char *bl_run_text(bl_run *run, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+// A named setting of the figure, for the page, JSON, the head of every CSV file written later, and
+// the attributes of images. `value` may be made by bl_run_text.
+void bl_run_setting(bl_run *run, const char *name, const char *value);
+
+// A column of a data file: numbers, or words if `words` is set.
+typedef struct bl_column {
+    const char *name; // with the unit: "frequency_cycles_per_cell"
+    const double *values;
+    const char *const *words;
+} bl_column;
+
+// Writes NAME.csv: comment lines (what it is, the settings), one header line, the rows. Numbers
+// have 9 significant digits; NaN is an empty field.
+bl_status bl_run_csv(bl_run *run, const char *name, const char *what, const bl_column *columns,
+                     size_t column_count, size_t rows, bl_message *message);
+
+// Writes NAME.gp and lets gnuplot make NAME.svg and NAME.png of it (and NAME.pdf on request).
+// `alternative` says in words what the plot shows, for those who cannot see it.
+bl_status bl_run_plot(bl_run *run, const char *name, const bl_plot *plot, const char *alternative,
+                      bl_message *message);
+
+// Writes NAME.exr with the values and NAME.png for the eye. The settings become attributes.
+bl_status bl_run_image(bl_run *run, const char *name, const bl_image *image, bl_message *message);
+
+// Judges a claim and keeps it. Its texts are not copied: literals, or made by bl_run_text.
+void bl_run_claim(bl_run *run, const bl_claim *claim);
+
+// What the harness, the page and the JSON writer read of a finished run.
+typedef struct bl_run_note {
+    const char *name, *text;
+} bl_run_note;
+
+typedef struct bl_run_view {
+    const bl_figure_result *result;
+    const bl_run_note *settings; // name and value
+    size_t setting_count;
+    const bl_run_note *plots; // name without ending, and the alternative text
+    size_t plot_count;
+} bl_run_view;
+
+bl_run *bl_run_start(const bl_figure *figure, const bl_reproduce_settings *settings,
+                     size_t done, size_t total, bl_message *message);
+bl_status bl_run_finish(bl_run *run, bl_message *message); // writes NAME.json
+bl_run_view bl_run_look(const bl_run *run);
+void bl_run_free(bl_run *run);
+
+#endif

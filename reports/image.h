@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// Images on disk, written whole or not at all, and read as signals. OpenImageIO stands behind this
+// header, in reports/oiio.cpp and nowhere else; no exception passes it.
+#ifndef BL_REPORTS_IMAGE_H
+#define BL_REPORTS_IMAGE_H
+
+#include <stddef.h>
+
+#include "core/signal.h"
+
+// A setting that travels with an image, as an attribute of the file.
+typedef struct bl_attribute {
+    const char *name; // "bandlimit:signal"
+    const char *value;
+} bl_attribute;
+
+typedef struct bl_image {
+    size_t width, height;
+    size_t channels;      // 1 grey or 3 colour; 0 means 1
+    const float *values;  // height rows of width pixels of channels values; row 0 is the top
+    double spacing;       // units between pixels; 0: not stated
+    double black, white;  // PNG: the values shown as 0 and as full scale; both 0: the finite range
+    unsigned bits;        // PNG: 8 or 16; 0 means 8
+    const bl_attribute *attributes;
+    size_t attribute_count;
+} bl_image;
+
+// Writes an image in the format of the name's ending: .exr and .tif/.tiff hold the values as 32-bit
+// floats; .png holds codes proportional to (value - black) / (white - black), clamped, with no
+// further curve, so that equal steps of value are equal steps of code; NaN is black there. The
+// attributes, the spacing ("bandlimit:spacing") and for PNG the range are written too where the
+// format has room for them. Errors: BL_USAGE for another ending, an empty image or bits other than
+// 8 and 16; BL_DEVICE for a folder that is missing or full. Thread-safe for different paths.
+bl_status bl_image_write(const char *path, const bl_image *image, bl_message *message);
+
+typedef struct bl_image_source {
+    const char *path;
+    const char *channel; // name or index; NULL: the first
+    double spacing;      // 0: from the file, else 1
+    int part;            // of a multi-part file; -1: not chosen
+    size_t memory_bytes; // held at most
+    const char *text;    // the whole text, for the signal and for messages
+} bl_image_source;
+
+// Opens an image as a two-dimensional signal; see reports/source.h for the meaning and the errors.
+bl_status bl_image_open(const bl_image_source *source, bl_signal **signal, bl_message *message);
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// The distribution of a signal's values: histogram, moments, quantiles, observed range.
+#ifndef BL_SPECTRA_HISTOGRAM_H
+#define BL_SPECTRA_HISTOGRAM_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/signal.h"
+#include "core/statistics.h"
+
+enum { BL_QUANTILES = 9 }; // 0.001 0.01 0.05 0.25 0.5 0.75 0.95 0.99 0.999
+
+typedef struct bl_histogram_settings {
+    size_t samples; // at independent random places; a signal with a grid gives all its samples
+    size_t bins;    // 0: 64
+    double from, to;// 0, 0: the observed range
+    uint64_t seed;
+    double level;
+    int threads;
+} bl_histogram_settings;
+
+typedef struct bl_histogram {
+    bl_histogram_settings settings;
+    size_t count;   // values seen
+    size_t outside; // of [from, to]
+    bl_moments moments;
+    bl_estimate mean, variance;
+    double minimum, maximum;
+    double minimum_at[BL_AXES], maximum_at[BL_AXES];
+    double quantile_p[BL_QUANTILES];
+    bl_estimate quantile[BL_QUANTILES]; // order statistics; interval by the binomial
+    double *edges;  // bins + 1
+    size_t *counts; // bins
+} bl_histogram;
+
+bl_histogram_settings bl_histogram_default_settings(void);
+bl_status bl_histogram_measure(const bl_signal *signal, const bl_histogram_settings *settings,
+                               bl_histogram *histogram, bl_message *message);
+void bl_histogram_free(bl_histogram *histogram);
+
+#endif

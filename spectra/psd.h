@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+//
+// The power spectral density of a signal along a line, in a slice, or in a volume, averaged over
+// independent places (and seeds, where the signal has one), with confidence bands.
+//
+// Each average takes a fresh random place and, where the signal can be reseeded, a fresh seed. The
+// grand mean over all averages is removed first. Every average yields one profile: the power in
+// each frequency bin (a line's bin; a ring or shell of a slice or volume), and the power in the
+// corners beyond the Nyquist circle. Everything else is computed from the profiles.
+#ifndef BL_SPECTRA_PSD_H
+#define BL_SPECTRA_PSD_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/signal.h"
+#include "core/statistics.h"
+#include "spectra/window.h"
+
+typedef enum bl_place {
+    BL_PLACE_RANDOM, // anywhere: the stationarised signal
+    BL_PLACE_LATTICE // on a lattice edge (line) or lattice plane (slice); no closed form is given
+} bl_place;
+
+typedef struct bl_psd_settings {
+    unsigned dims;    // 1 line, 2 slice, 3 volume
+    double rate;      // samples per unit; 0: from the signal's grid, or 16, 8, 4 by dims
+    size_t size;      // samples along each axis; 0: from the grid, or 2048, 512, 64 by dims
+    size_t averages;  // 0: 256, 16, 8 by dims
+    bl_window window;
+    double axis[3];   // direction of the line; normal of the slice; unused for a volume
+    bl_place place;
+    uint64_t seed;    // of the places and the fresh seeds
+    double level;     // of the confidence intervals, e.g. 0.95
+    int threads;      // 0: as many as OpenMP gives
+} bl_psd_settings;
+
+typedef struct bl_psd {
+    bl_psd_settings settings; // as used, nothing left 0
+    size_t count;             // bins, from frequency 0 to Nyquist
+    double *frequency;        // centre (line) or mean radius (ring) of the bin, cycles per unit
+    double *width;            // of the bin, cycles per unit
+    double *measure;          // length, area or volume of the bin in frequency space (one-sided
+                              // for a line): power = psd * measure
+    double *psd;              // line: one-sided; ring, shell: mean of the two-sided density
+    double *lower, *upper;    // confidence limits of psd
+    double *dof;              // degrees of freedom behind each bin's limits
+    double *theory;           // expectation of psd for this window and rate, or NULL
+    double *theory_corners;   // one number, or NULL
+    double *anisotropy_db;    // rings and shells (Ulichney 1987), NAN for one-cell rings; else NULL
+    double *anisotropy_floor_db;
+    double *profiles;         // [averages][count + 1] power; the last column is the corners'
+    double inflation;         // mean ratio of the variance between averages to that of exponential
+                              // bins: 1 for a stationary Gaussian signal
+    double mean;              // removed
+    bl_estimate variance;     // of the samples, over places
+    double variance_theory;   // NAN if unknown
+    double parseval_residual; // |sum(P df) / windowed variance - 1|, the largest of all averages
+    double *plane;            // slice: psd of the half plane [size][size/2+1], row-major, row 0 is
+                              // fy = 0; else NULL
+} bl_psd;
+
+bl_psd_settings bl_psd_default_settings(unsigned dims);
+
+// Measures. On success the caller frees the result with bl_psd_free.
+// Errors: BL_USAGE for sizes below 8 or a zero axis; BL_MISMATCH for a rate or size that does not
+// fit the signal's grid or the memory, and for values that are not finite; BL_DEVICE out of memory.
+bl_status bl_psd_measure(const bl_signal *signal, const bl_psd_settings *settings, bl_psd *psd,
+                         bl_message *message);
+void bl_psd_free(bl_psd *psd);
+
+// A share of the variance.
+typedef struct bl_band {
+    double from, to;       // cycles per unit, to may be INFINITY
+    bl_estimate fraction;  // of the variance, over averages
+    double theory;         // NAN if unknown
+} bl_band;
+
+// Fills fraction and theory of a band from the profiles; bins cut by an edge count in proportion.
+void bl_psd_band(const bl_psd *psd, bl_band *band);
+
+// The verdict on a band limit.
+typedef struct bl_band_limit {
+    double from, to, limit_db;
+    double leak_db, lower_db, upper_db; // share outside [from, to], dB of the variance
+    size_t needed_averages;             // that would settle an inconclusive verdict; else 0
+    bl_status verdict;                  // BL_OK, BL_INCONCLUSIVE or BL_FAIL
+} bl_band_limit;
+
+// One-sided limits each at the level of the settings. Fills all but from, to and limit_db.
+void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit);
+
+#endif

@@ -1,0 +1,25 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+#
+# run.sh TEST LOG: runs one test program and keeps what it prints, with its exit status last. With
+# T=word, a program whose own name has the word runs whole; the others run only the tests whose
+# names have it.
+program=$1
+log=$2
+name=$(basename "$program")
+filter=
+case "$name" in
+*"$T"*) ;;
+*) filter="*$T*" ;;
+esac
+BL_TEST_FILTER="$filter" CMOCKA_MESSAGE_OUTPUT=tap "$program" >"$log" 2>&1
+status=$?
+echo "# exit $status" >>"$log"
+passed=$(grep -c '^ok ' "$log")
+failed=$(grep -c '^not ok ' "$log")
+if [ "$status" -ne 0 ]; then
+    printf '%-28s FAILED (%s passed, %s failed, exit %s)\n' "$name" "$passed" "$failed" "$status"
+    sed 's/^/    /' "$log"
+elif [ "$passed" -gt 0 ]; then
+    printf '%-28s %s passed\n' "$name" "$passed"
+fi

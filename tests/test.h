@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+//
+// What every test program shares: cmocka with its required headers, the filter that
+// `make check T=word` sets, and the scale of repetitions that `make check SCALE=10` sets.
+#ifndef BL_TESTS_TEST_H
+#define BL_TESTS_TEST_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// A count of repetitions times SCALE, at least `least`.
+static inline size_t bl_test_scaled(size_t count, size_t least) {
+    const char *text = getenv("SCALE");
+    double scale = text && *text ? atof(text) : 1;
+    double scaled = (double)count * scale;
+    return scaled > (double)least ? (size_t)scaled : least;
+}
+
+// |actual - expected| <= tolerance, with the numbers in the message; NaN fails.
+#define assert_near(actual, expected, tolerance)                                                   \
+    do {                                                                                           \
+        double actual_ = (actual), expected_ = (expected), tolerance_ = (tolerance);               \
+        if (!(fabs(actual_ - expected_) <= tolerance_))                                            \
+            fail_msg("%s = %.17g, expected %.17g +- %.3g", #actual, actual_, expected_,            \
+                     tolerance_);                                                                  \
+    } while (0)
+
+#define assert_less(actual, limit)                                                                 \
+    do {                                                                                           \
+        double actual_ = (actual), limit_ = (limit);                                               \
+        if (!(actual_ < limit_))                                                                   \
+            fail_msg("%s = %.17g, expected below %.17g", #actual, actual_, limit_);                \
+    } while (0)
+
+#define BL_TEST_MAIN(tests)                                                                        \
+    int main(void) {                                                                               \
+        const char *filter = getenv("BL_TEST_FILTER");                                             \
+        if (filter && *filter)                                                                     \
+            cmocka_set_test_filter(filter);                                                        \
+        return cmocka_run_group_tests(tests, NULL, NULL);                                          \
+    }
+
+#endif
