@@ -26,7 +26,7 @@ const bl_option bl_common_options[] = {
     {.name = "output", .kind = BL_OPTION_WORD, .letter = 'o', .offset = AT(output),
      .value = "PATH", .help = "write to PATH; what is written there is told above"},
     {.name = "seed", .kind = BL_OPTION_WORD, .offset = AT(seed_word), .value = "N",
-     .help = "seed of random places and fresh signals, 0 to 2^64-1 (default: 0); for eval and "
+     .help = "seed of random places and fresh signals, 0 to 2^64-1 (default: 1); for eval and "
              "render, of the signal itself"},
     {.name = "threads", .kind = BL_OPTION_UNSIGNED, .offset = AT(threads), .value = "N",
      .minimum = 1, .maximum = 1024, .help = "threads to use (default: all cores)"},

@@ -3,8 +3,8 @@
 // The contract of a verb, the registry of verbs, and what a verb is given to run.
 //
 // A verb is one file of this folder, which ends with one descriptor, and one line in verbs.def. It
-// reads its settings, measures through the library, and either prints to run->out or fills
-// run->json; it never opens stdout and never exits.
+// reads its settings, measures through the library, and either prints to call->out or fills
+// call->json; it never opens stdout and never exits.
 #ifndef BL_CLI_VERB_H
 #define BL_CLI_VERB_H
 
@@ -31,7 +31,7 @@ typedef struct bl_common {
     const char *isa;       // NULL: the best here
 } bl_common;
 
-typedef struct bl_run {
+typedef struct bl_call {
     const bl_verb *verb;
     int argument_count; // as typed, for JSON
     char **arguments;
@@ -39,10 +39,11 @@ typedef struct bl_run {
     void *settings;    // the verb's own block
     bl_words operands; // at least verb->least, at most verb->most
     bl_isa isa;
-    FILE *out;    // the report: stdout, or the file of -o
-    json_t *json; // with --json: the verb's object; NULL until it is made
+    const char *path; // of the data file or folder (-o); NULL: none
+    FILE *out;        // the report: stdout, or the file of -o
+    json_t *json;     // with --json: the verb's object; NULL until it is made
     bl_message message;
-} bl_run;
+} bl_call;
 
 // What -o means for a verb.
 typedef enum bl_output {
@@ -61,8 +62,8 @@ struct bl_verb {
     const char *output_help;
     const bl_option *options; // its own; ends with an empty one
     size_t settings_size;
-    // Returns BL_OK, a verdict (1, 2), or an error with run->message filled.
-    bl_status (*run)(bl_run *run);
+    // Returns BL_OK, a verdict (1, 2), or an error with call->message filled.
+    bl_status (*run)(bl_call *call);
 };
 
 extern const bl_option bl_common_options[];
@@ -74,21 +75,21 @@ const bl_verb *bl_verb_find(const char *name);
 // "unknown verb ...", with the nearest one.
 bl_status bl_verb_report_unknown(const char *name, bl_message *message);
 
-// Starts run->json with the schema, the version and the arguments; NULL without --json.
-json_t *bl_json_start(bl_run *run);
+// Writes the usage line, the text and the options of a verb, or with NULL those of the program.
+void bl_help_print(FILE *out, const bl_verb *verb);
 
-// Opens the run's signal by its text, for the run's instruction set.
-bl_status bl_run_open(bl_run *run, const char *text, bl_signal **signal);
+// Opens the call's signal by its text, for the call's instruction set.
+bl_status bl_call_open(bl_call *call, const char *text, bl_signal **signal);
 
 // Threads to use: what --threads says, or what OpenMP gives.
-int bl_run_threads(const bl_run *run);
+int bl_call_threads(const bl_call *call);
 
 // One line of progress, overwritten by the next, to stderr when that is a terminal and --quiet is
 // not given; NULL clears it.
-void bl_progress(const bl_run *run, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void bl_progress(const bl_call *call, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 // The word of a verdict, coloured when the report goes to a terminal and NO_COLOR is not set. The
 // result is constant text.
-const char *bl_run_verdict(const bl_run *run, bl_status status);
+const char *bl_call_verdict(const bl_call *call, bl_status status);
 
 #endif

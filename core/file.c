@@ -116,9 +116,9 @@ bl_status bl_make_folder(const char *path, bl_message *message) {
             status = bl_report(message, BL_DEVICE, "cannot make the folder '%s': %s", copy,
                                strerror(errno));
         else if (stat(copy, &info) != 0 || !S_ISDIR(info.st_mode))
-            status = bl_report(message, BL_DEVICE,
-                               "cannot make the folder '%s': a file of that name is in the way",
-                               copy);
+            status =
+                bl_report(message, BL_DEVICE,
+                          "cannot make the folder '%s': a file of that name is in the way", copy);
         *at = here;
         if (here == '\0')
             break;

@@ -10,8 +10,8 @@
 #include "core/status.h"
 
 typedef struct bl_file {
-    FILE *stream;   // write here
-    char *path;     // the target
+    FILE *stream; // write here
+    char *path;   // the target
     char *temporary;
 } bl_file;
 

@@ -97,8 +97,8 @@ static bl_status add_setting(bl_spec *spec, const char *text, const char *at, si
     size_t column = (size_t)(at - text) + 1;
     const char *equals = memchr(at, '=', length);
     if (length == 0)
-        return bl_report(message, BL_USAGE,
-                         "column %zu of '%s': expected key=value, found nothing", column, text);
+        return bl_report(message, BL_USAGE, "column %zu of '%s': expected key=value, found nothing",
+                         column, text);
     if (!equals || equals == at || equals + 1 == at + length)
         return bl_report(message, BL_USAGE, "'%.*s' at column %zu of '%s': expected key=value",
                          (int)length, at, column, text);

@@ -50,8 +50,8 @@ typedef struct bl_parameter {
 
 // Fills a parameter block with the defaults, then with the settings of the spec. Every setting
 // must be in the list, once. `text` is the whole text for messages.
-bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec,
-                             const char *text, void *block, bl_message *message);
+bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec, const char *text,
+                             void *block, bl_message *message);
 
 // The canonical text: the name and every setting that differs from its default, in the order of
 // the list. The caller frees it; NULL if out of memory.

@@ -13,7 +13,7 @@
 
 #include <stdint.h>
 
-#define BL_GOLDEN UINT64_C(0x9E3779B97F4A7C15)  // floor(2^64 (sqrt 5 - 1)/2) | 1
+#define BL_GOLDEN UINT64_C(0x9E3779B97F4A7C15)   // floor(2^64 (sqrt 5 - 1)/2) | 1
 #define BL_ROOT_TWO UINT64_C(0x6A09E667F3BCC909) // floor(2^64 (sqrt 2 - 1)) | 1
 
 static inline uint64_t bl_mix(uint64_t x) {

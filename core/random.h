@@ -14,8 +14,8 @@ typedef struct bl_random {
 } bl_random;
 
 bl_random bl_random_seed(uint64_t seed, uint64_t stream);
-uint64_t bl_random_bits(bl_random *random);   // 64 uniform bits
-double bl_random_unit(bl_random *random);     // uniform on [0, 1), multiples of 2^-53
-double bl_random_normal(bl_random *random);   // standard normal, by inversion
+uint64_t bl_random_bits(bl_random *random); // 64 uniform bits
+double bl_random_unit(bl_random *random);   // uniform on [0, 1), multiples of 2^-53
+double bl_random_normal(bl_random *random); // standard normal, by inversion
 
 #endif

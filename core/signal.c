@@ -44,8 +44,8 @@ bl_signal *bl_signal_new(const bl_signal_functions *functions, const void *param
 bl_signal *bl_signal_reseed(const bl_signal *signal, uint64_t seed) {
     if (signal->seed_offset == SIZE_MAX || signal->functions->release)
         return NULL;
-    bl_signal *copy = bl_signal_new(signal->functions, signal->parameters,
-                                    signal->parameters_size, signal->text);
+    bl_signal *copy =
+        bl_signal_new(signal->functions, signal->parameters, signal->parameters_size, signal->text);
     if (!copy)
         return NULL;
     memcpy((char *)copy->parameters + signal->seed_offset, &seed, sizeof seed);
@@ -72,8 +72,8 @@ int bl_signal_has_closed_form(const bl_signal *signal) {
     return signal->closed_form && signal->functions->covariance;
 }
 
-void bl_signal_row(const bl_signal *signal, const double start[BL_AXES],
-                   const double step[BL_AXES], size_t count, float *out) {
+void bl_signal_row(const bl_signal *signal, const double start[BL_AXES], const double step[BL_AXES],
+                   size_t count, float *out) {
     signal->functions->row(signal->parameters, start, step, count, out);
 }
 

@@ -32,8 +32,9 @@ typedef struct bl_signal_functions {
     double (*value)(const void *parameters, const double at[BL_AXES]);
     // Optional: the analytic gradient at one point.
     void (*gradient)(const void *parameters, const double at[BL_AXES], double out[BL_AXES]);
-    // Optional (see bl_signal.closed_form): the autocovariance E[n(p) n(p+lag)] over places and seeds, a closed form. It is
-    // zero for every lag with a component of size >= facts.covariance_reach.
+    // Optional (see bl_signal.closed_form): the autocovariance E[n(p) n(p+lag)] over places and
+    // seeds, a closed form. It is zero for every lag with a component of size >=
+    // facts.covariance_reach.
     double (*covariance)(const void *parameters, const double lag[BL_AXES]);
     // Optional: the closed-form power spectral density of the stationarised signal in all its
     // dimensions, two-sided, value^2 per (cycle per unit)^dims; its integral is the variance.
@@ -47,15 +48,15 @@ typedef struct bl_signal_functions {
 
 // What a signal states about itself, as data that tests read. NAN stands for "not stated".
 typedef struct bl_facts {
-    double lower, upper;      // hard bound of the range
-    const char *bound_proof;  // how it is proved, in words; NULL if there is no bound
-    double mean, variance;    // over places and seeds
-    double band_from, band_to;// the claimed band, cycles per unit, of a spectrum along an axis ...
-    double leak_db;           // ... and the share of variance outside of it, dB of the variance
-    int continuity;           // -1 discontinuous, 0 for C0, 1 for C1, ...
-    double period;            // the smallest common period of all axes; 0: none
-    double far;               // the coordinate beyond which the fraction within a cell is lost
-    double covariance_reach;  // lags with a component beyond it have no covariance
+    double lower, upper;       // hard bound of the range
+    const char *bound_proof;   // how it is proved, in words; NULL if there is no bound
+    double mean, variance;     // over places and seeds
+    double band_from, band_to; // the claimed band, cycles per unit, of a spectrum along an axis ...
+    double leak_db;            // ... and the share of variance outside of it, dB of the variance
+    int continuity;            // -1 discontinuous, 0 for C0, 1 for C1, ...
+    double period;             // the smallest common period of all axes; 0: none
+    double far;                // the coordinate beyond which the fraction within a cell is lost
+    double covariance_reach;   // lags with a component beyond it have no covariance
 } bl_facts;
 
 // The grid of a sampled signal (an image); sizes 0 for a signal without one.
@@ -93,8 +94,8 @@ void bl_signal_free(bl_signal *signal);
 
 // Shorthands for the abilities.
 int bl_signal_has_closed_form(const bl_signal *signal);
-void bl_signal_row(const bl_signal *signal, const double start[BL_AXES],
-                   const double step[BL_AXES], size_t count, float *out);
+void bl_signal_row(const bl_signal *signal, const double start[BL_AXES], const double step[BL_AXES],
+                   size_t count, float *out);
 void bl_signal_points(const bl_signal *signal, const double *const at[BL_AXES], size_t count,
                       float *out);
 double bl_signal_value(const bl_signal *signal, const double at[BL_AXES]);

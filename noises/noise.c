@@ -91,8 +91,7 @@ static bl_signal *signal_of(const bl_noise *noise, const void *block) {
     char *canonical = bl_parameters_text(noise->name, noise->parameters, block);
     if (!canonical)
         return NULL;
-    bl_signal *signal =
-        bl_signal_new(&noise->functions, block, noise->parameters_size, canonical);
+    bl_signal *signal = bl_signal_new(&noise->functions, block, noise->parameters_size, canonical);
     free(canonical);
     if (!signal)
         return NULL;

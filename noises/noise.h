@@ -36,9 +36,9 @@ typedef struct bl_noise {
 // The instruction sets every noise is compiled for; all give the same bits.
 typedef enum bl_isa { BL_ISA_BASELINE, BL_ISA_V3, BL_ISA_V4, BL_ISA_COUNT, BL_ISA_BEST } bl_isa;
 
-const char *bl_isa_name(bl_isa isa);                      // "baseline", "v3", "v4"
-int bl_isa_runs_here(bl_isa isa);                         // by the processor's own word
-bl_isa bl_isa_best(void);                                 // the highest that runs here
+const char *bl_isa_name(bl_isa isa); // "baseline", "v3", "v4"
+int bl_isa_runs_here(bl_isa isa);    // by the processor's own word
+bl_isa bl_isa_best(void);            // the highest that runs here
 bl_status bl_isa_read(const char *word, bl_isa *isa, bl_message *message);
 
 size_t bl_noise_count(void);

@@ -13,9 +13,9 @@
 enum { BL_QUANTILES = 9 }; // 0.001 0.01 0.05 0.25 0.5 0.75 0.95 0.99 0.999
 
 typedef struct bl_histogram_settings {
-    size_t samples; // at independent random places; a signal with a grid gives all its samples
-    size_t bins;    // 0: 64
-    double from, to;// 0, 0: the observed range
+    size_t samples;  // at independent random places; a signal with a grid gives all its samples
+    size_t bins;     // 0: 64
+    double from, to; // 0, 0: the observed range
     uint64_t seed;
     double level;
     int threads;
@@ -31,8 +31,8 @@ typedef struct bl_histogram {
     double minimum_at[BL_AXES], maximum_at[BL_AXES];
     double quantile_p[BL_QUANTILES];
     bl_estimate quantile[BL_QUANTILES]; // order statistics; interval by the binomial
-    double *edges;  // bins + 1
-    size_t *counts; // bins
+    double *edges;                      // bins + 1
+    size_t *counts;                     // bins
 } bl_histogram;
 
 bl_histogram_settings bl_histogram_default_settings(void);

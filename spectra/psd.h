@@ -23,16 +23,16 @@ typedef enum bl_place {
 } bl_place;
 
 typedef struct bl_psd_settings {
-    unsigned dims;    // 1 line, 2 slice, 3 volume
-    double rate;      // samples per unit; 0: from the signal's grid, or 16, 8, 4 by dims
-    size_t size;      // samples along each axis; 0: from the grid, or 2048, 512, 64 by dims
-    size_t averages;  // 0: 256, 16, 8 by dims
+    unsigned dims;   // 1 line, 2 slice, 3 volume
+    double rate;     // samples per unit; 0: from the signal's grid, or 16, 8, 4 by dims
+    size_t size;     // samples along each axis; 0: from the grid, or 2048, 512, 64 by dims
+    size_t averages; // 0: 256, 16, 8 by dims
     bl_window window;
-    double axis[3];   // direction of the line; normal of the slice; unused for a volume
+    double axis[3]; // direction of the line; normal of the slice; unused for a volume
     bl_place place;
-    uint64_t seed;    // of the places and the fresh seeds
-    double level;     // of the confidence intervals, e.g. 0.95
-    int threads;      // 0: as many as OpenMP gives
+    uint64_t seed; // of the places and the fresh seeds
+    double level;  // of the confidence intervals, e.g. 0.95
+    int threads;   // 0: as many as OpenMP gives
 } bl_psd_settings;
 
 typedef struct bl_psd {
@@ -71,9 +71,9 @@ void bl_psd_free(bl_psd *psd);
 
 // A share of the variance.
 typedef struct bl_band {
-    double from, to;       // cycles per unit, to may be INFINITY
-    bl_estimate fraction;  // of the variance, over averages
-    double theory;         // NAN if unknown
+    double from, to;      // cycles per unit, to may be INFINITY
+    bl_estimate fraction; // of the variance, over averages
+    double theory;        // NAN if unknown
 } bl_band;
 
 // Fills fraction and theory of a band from the profiles; bins cut by an edge count in proportion.

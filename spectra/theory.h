@@ -27,8 +27,8 @@ double bl_theory_slice(const bl_signal *signal, const double u[BL_AXES], const d
 double bl_theory_volume(const bl_signal *signal, const double f[BL_AXES]);
 
 // The share of the variance between two frequencies (radii in a slice or volume), exact.
-double bl_theory_band(const bl_signal *signal, unsigned dims,
-                      const double directions[3][BL_AXES], double from, double to);
+double bl_theory_band(const bl_signal *signal, unsigned dims, const double directions[3][BL_AXES],
+                      double from, double to);
 
 // Orthonormal directions from one axis: dims 1 the axis itself; dims 2 two directions normal to
 // it (x and y for z); dims 3 x, y, z. False for a zero or non-finite axis.

@@ -40,12 +40,13 @@ static inline size_t bl_test_scaled(size_t count, size_t least) {
             fail_msg("%s = %.17g, expected below %.17g", #actual, actual_, limit_);                \
     } while (0)
 
-#define BL_TEST_MAIN(tests)                                                                        \
-    int main(void) {                                                                               \
-        const char *filter = getenv("BL_TEST_FILTER");                                             \
-        if (filter && *filter)                                                                     \
-            cmocka_set_test_filter(filter);                                                        \
-        return cmocka_run_group_tests(tests, NULL, NULL);                                          \
-    }
+static inline void bl_set_filter(void) {
+    const char *filter = getenv("BL_TEST_FILTER");
+    if (filter && *filter)
+        cmocka_set_test_filter(filter);
+}
+
+// Runs an array of tests; what main returns.
+#define bl_run_tests(tests) (bl_set_filter(), cmocka_run_group_tests(tests, NULL, NULL))
 
 #endif

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+//
+// bandlimit: a laboratory for procedural noise. This file reads the command line, runs one verb, and
+// sees to it that what was printed arrived and that the exit status says what happened.
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/json.h"
+#include "cli/verb.h"
+#include "core/file.h"
+#include "core/grammar.h"
+
+// Whether a reader that goes away ends the program silently, as it does other filters.
+static int pipe_signal_is_default;
+
+// A file opened later must never get the number of a closed standard stream. The stand-ins are open
+// the wrong way round, so that using them fails.
+static void occupy_standard_streams(void) {
+    for (int number = 0; number <= 2; number++)
+        if (fcntl(number, F_GETFD) < 0 && errno == EBADF)
+            open("/dev/null", number == 0 ? O_WRONLY : O_RDONLY);
+}
+
+// A signal that is a program is written to through a pipe; its death must be an error, not ours.
+static void ignore_broken_pipes(void) {
+    struct sigaction action = {.sa_handler = SIG_IGN}, before;
+    sigaction(SIGPIPE, &action, &before);
+    pipe_signal_is_default = before.sa_handler == SIG_DFL;
+}
+
+// Flushes stdout and learns whether all of it was written.
+static bl_status finish_stdout(bl_status status, bl_message *message) {
+    errno = 0;
+    int failed = ferror(stdout);
+    if (fflush(stdout) != 0)
+        failed = 1;
+    if (!failed)
+        return status;
+    if (errno == EPIPE && pipe_signal_is_default) {
+        signal(SIGPIPE, SIG_DFL);
+        raise(SIGPIPE);
+    }
+    return bl_report(message, BL_DEVICE, "cannot write to standard output: %s",
+                     errno ? strerror(errno) : "a write failed");
+}
+
+static int is_error(bl_status status) {
+    return status != BL_OK && status != BL_INCONCLUSIVE && status != BL_FAIL;
+}
+
+static void print_error_json(const bl_call *call, bl_status status) {
+    json_t *object = bl_json_head("error", call->argument_count, call->arguments);
+    json_t *error = json_object();
+    bl_json_set_count(error, "status", (uint64_t)status);
+    bl_json_set_text(error, "word", bl_status_word(status));
+    bl_json_set_text(error, "message", call->message.text);
+    json_object_set_new(object, "error", error);
+    bl_json_print(object, stdout);
+    json_decref(object);
+}
+
+// Refuses what cannot be meant, and turns words into values.
+static bl_status settle_common(bl_call *call) {
+    bl_common *common = &call->common;
+    if (common->quick && common->full)
+        return bl_report(&call->message, BL_USAGE, "--quick and --full exclude each other");
+    unsigned long long seed = 1;
+    if (common->seed_word && !bl_read_unsigned(common->seed_word, &seed))
+        return bl_report(&call->message, BL_USAGE,
+                         "--seed %s: not a whole number from 0 to 18446744073709551615",
+                         common->seed_word);
+    common->seed = seed;
+    call->isa = BL_ISA_BEST;
+    return common->isa ? bl_isa_read(common->isa, &call->isa, &call->message) : BL_OK;
+}
+
+static bl_status check_operands(bl_call *call) {
+    const bl_verb *verb = call->verb;
+    if (call->operands.count < verb->least)
+        return bl_report(&call->message, BL_USAGE,
+                         "%s needs more words: bandlimit %s %s; --help tells what they are",
+                         verb->name, verb->name, verb->operands);
+    if (call->operands.count > verb->most)
+        return bl_report(&call->message, BL_USAGE,
+                         "'%s' is one word too many: bandlimit %s %s; --help tells what they are",
+                         call->operands.words[verb->most], verb->name, verb->operands);
+    return BL_OK;
+}
+
+static int ends_with(const char *text, const char *ending) {
+    size_t length = strlen(text), tail = strlen(ending);
+    return length > tail && strcmp(text + length - tail, ending) == 0;
+}
+
+// Runs the verb with its report going to stdout or to the file of -o.
+static bl_status run_verb(bl_call *call) {
+    const char *path = call->common.output;
+    int data = call->verb->output == BL_OUTPUT_DATA && !(path && ends_with(path, ".json"));
+    bl_file file = {0};
+    call->out = stdout;
+    if (path && (data || call->verb->output == BL_OUTPUT_FOLDER)) {
+        call->path = path;
+    } else if (path) {
+        bl_status status = bl_file_create(path, &file, &call->message);
+        if (status != BL_OK)
+            return status;
+        call->out = file.stream;
+        call->common.json |= ends_with(path, ".json");
+    }
+    bl_status status = call->verb->run(call);
+    bl_progress(call, NULL);
+    if (!is_error(status) && call->common.json && !bl_json_print(call->json, call->out) &&
+        !ferror(call->out))
+        status = bl_report(&call->message, BL_DEVICE, "out of memory writing JSON");
+    if (!file.stream)
+        return status;
+    if (is_error(status)) {
+        bl_file_discard(&file);
+        return status;
+    }
+    bl_status written = bl_file_commit(&file, &call->message);
+    return written == BL_OK ? status : written;
+}
+
+static bl_status run_words(bl_call *call, int count, char **words) {
+    bl_option_table tables[] = {{bl_common_options, &call->common}, {NULL, NULL}, {NULL, NULL}};
+    int position = 1;
+    bl_status status = bl_options_read(tables, count, words, &position, NULL, &call->message);
+    if (status != BL_OK)
+        return status;
+    const char *name = call->common.help ? "help" : call->common.version ? "version" : NULL;
+    if (!name && position == count) {
+        bl_help_print(stderr, NULL);
+        return bl_report(&call->message, BL_USAGE, "no verb given");
+    }
+    if (!name)
+        name = words[position++];
+    call->verb = bl_verb_find(name);
+    if (!call->verb)
+        return bl_verb_report_unknown(name, &call->message);
+    call->settings = calloc(1, call->verb->settings_size + 1);
+    if (!call->settings)
+        return bl_report(&call->message, BL_DEVICE, "out of memory");
+    tables[1] = (bl_option_table){call->verb->options, call->settings};
+    status = bl_options_default(&tables[1], &call->message);
+    if (status == BL_OK)
+        status = bl_options_read(tables, count, words, &position, &call->operands, &call->message);
+    if (status != BL_OK)
+        return status;
+    if (call->common.help && strcmp(call->verb->name, "help") != 0) {
+        call->operands.count = 0;
+        if (!bl_words_add(&call->operands, call->verb->name))
+            return bl_report(&call->message, BL_DEVICE, "out of memory");
+        call->verb = bl_verb_find("help");
+    }
+    if ((status = settle_common(call)) != BL_OK || (status = check_operands(call)) != BL_OK)
+        return status;
+    return run_verb(call);
+}
+
+// --json counts even when the words after an error were not read.
+static int asks_for_json(int count, char **words) {
+    for (int i = 1; i < count && strcmp(words[i], "--") != 0; i++)
+        if (strcmp(words[i], "--json") == 0)
+            return 1;
+    return 0;
+}
+
+int main(int count, char **words) {
+    occupy_standard_streams();
+    ignore_broken_pipes();
+    bl_call call = {.argument_count = count > 0 ? count - 1 : 0, .arguments = words + 1};
+    bl_status status = run_words(&call, count, words);
+    int failed = is_error(status);
+    if (failed && asks_for_json(count, words))
+        print_error_json(&call, status);
+    bl_message message = call.message;
+    bl_status last = finish_stdout(status, &message);
+    if (failed)
+        fprintf(stderr, "bandlimit%s%s: %s\n", call.verb ? " " : "",
+                call.verb ? call.verb->name : "", call.message.text);
+    if (last != status) {
+        if (!failed)
+            fprintf(stderr, "bandlimit: %s\n", message.text);
+        status = failed ? status : last;
+    }
+    json_decref(call.json);
+    bl_words_free(&call.operands);
+    free(call.settings);
+    return (int)status;
+}

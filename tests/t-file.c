@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+//
+// Files appear whole or not at all.
+#include "tests/test.h"
+
+#include <dirent.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/file.h"
+
+static char folder[] = "/tmp/bandlimit-file-XXXXXX";
+
+static int make_folder(void **state) {
+    (void)state;
+    return mkdtemp(folder) ? 0 : -1;
+}
+
+static int remove_folder(void **state) {
+    (void)state;
+    char command[128];
+    snprintf(command, sizeof command, "rm -rf %s", folder);
+    return system(command);
+}
+
+static const char *path_of(const char *name) {
+    static char path[256];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return path;
+}
+
+static size_t files_in_folder(void) {
+    DIR *directory = opendir(folder);
+    size_t count = 0;
+    for (struct dirent *entry; (entry = readdir(directory));)
+        count += strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
+    closedir(directory);
+    return count;
+}
+
+static void read_back(const char *path, char *out, size_t size) {
+    FILE *stream = fopen(path, "r");
+    assert_non_null(stream);
+    size_t got = fread(out, 1, size - 1, stream);
+    out[got] = '\0';
+    fclose(stream);
+}
+
+static void write_file(const char *path, const char *text) {
+    bl_file file;
+    bl_message message;
+    assert_int_equal(bl_file_create(path, &file, &message), BL_OK);
+    fputs(text, file.stream);
+    assert_int_equal(bl_file_commit(&file, &message), BL_OK);
+}
+
+static void test_a_committed_file_is_whole_and_alone(void **state) {
+    (void)state;
+    char text[32];
+    write_file(path_of("a.csv"), "first\n");
+    write_file(path_of("a.csv"), "second\n");
+    read_back(path_of("a.csv"), text, sizeof text);
+    assert_string_equal(text, "second\n");
+    assert_int_equal(files_in_folder(), 1);
+}
+
+static void test_a_discarded_file_leaves_the_old_one(void **state) {
+    (void)state;
+    char text[32];
+    bl_file file;
+    write_file(path_of("a.csv"), "kept\n");
+    assert_int_equal(bl_file_create(path_of("a.csv"), &file, NULL), BL_OK);
+    fputs("half", file.stream);
+    bl_file_discard(&file);
+    read_back(path_of("a.csv"), text, sizeof text);
+    assert_string_equal(text, "kept\n");
+    assert_int_equal(files_in_folder(), 1);
+}
+
+static void test_bad_targets_are_refused_with_their_reason(void **state) {
+    (void)state;
+    bl_file file;
+    bl_message message;
+    assert_int_equal(bl_file_create(folder, &file, &message), BL_DEVICE);
+    assert_non_null(strstr(message.text, "folder"));
+    assert_int_equal(bl_file_create(path_of("missing/a.csv"), &file, &message), BL_DEVICE);
+    assert_non_null(strstr(message.text, "missing/a.csv"));
+    assert_int_equal(bl_file_create("", &file, &message), BL_USAGE);
+}
+
+static void test_a_full_disk_is_noticed(void **state) {
+    (void)state;
+    bl_file file;
+    bl_message message;
+    assert_int_equal(bl_file_create("/dev/full", &file, &message), BL_OK);
+    fputs("text", file.stream);
+    assert_int_equal(bl_file_commit(&file, &message), BL_DEVICE);
+    assert_non_null(strstr(message.text, "No space left"));
+}
+
+static void test_folders_are_made_with_their_parents(void **state) {
+    (void)state;
+    bl_message message;
+    struct stat info;
+    assert_int_equal(bl_make_folder(path_of("p/q/r"), &message), BL_OK);
+    assert_int_equal(bl_make_folder(path_of("p/q/r"), &message), BL_OK);
+    assert_int_equal(stat(path_of("p/q/r"), &info), 0);
+    write_file(path_of("p/file"), "");
+    assert_int_equal(bl_make_folder(path_of("p/file/below"), &message), BL_DEVICE);
+    assert_non_null(strstr(message.text, "in the way"));
+}
+
+static void test_temporary_names_differ_and_keep_the_ending(void **state) {
+    (void)state;
+    char *a = bl_file_temporary_name("x/y.exr"), *b = bl_file_temporary_name("x/y.exr");
+    assert_string_not_equal(a, b);
+    assert_true(strncmp(a, "x/", 2) == 0);
+    assert_string_equal(a + strlen(a) - 4, ".exr");
+    free(a);
+    free(b);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_committed_file_is_whole_and_alone),
+        cmocka_unit_test(test_a_discarded_file_leaves_the_old_one),
+        cmocka_unit_test(test_bad_targets_are_refused_with_their_reason),
+        cmocka_unit_test(test_a_full_disk_is_noticed),
+        cmocka_unit_test(test_folders_are_made_with_their_parents),
+        cmocka_unit_test(test_temporary_names_differ_and_keep_the_ending),
+    };
+    bl_set_filter();
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}

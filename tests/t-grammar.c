@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "tests/test.h"
+
+#include "core/grammar.h"
+
+typedef struct block {
+    uint64_t seed;
+    double spacing;
+    uint32_t impulses, kernel, entries;
+} block;
+
+static const char *const kernels[] = {"exact", "table:N", NULL};
+
+static const bl_parameter parameters[] = {
+    {.key = "seed", .kind = BL_SEED, .offset = offsetof(block, seed), .fallback = "0"},
+    {.key = "spacing",
+     .kind = BL_REAL,
+     .offset = offsetof(block, spacing),
+     .minimum = 1e-9,
+     .maximum = 1e9,
+     .fallback = "1"},
+    {.key = "impulses",
+     .kind = BL_INTEGER,
+     .offset = offsetof(block, impulses),
+     .minimum = 1,
+     .maximum = 64,
+     .fallback = "3"},
+    {.key = "kernel",
+     .kind = BL_CHOICE,
+     .offset = offsetof(block, kernel),
+     .choices = kernels,
+     .number_offset = offsetof(block, entries),
+     .minimum = 1,
+     .maximum = 1000,
+     .fallback = "exact"},
+    {.key = NULL}};
+
+static bl_status read_text(const char *text, block *out, bl_message *message) {
+    bl_spec spec;
+    memset(out, 0, sizeof *out);
+    bl_status status = bl_spec_parse(text, &spec, message);
+    if (status != BL_OK)
+        return status;
+    status = bl_parameters_read(parameters, &spec, text, out, message);
+    bl_spec_free(&spec);
+    return status;
+}
+
+static void test_a_text_fills_the_block_and_defaults_the_rest(void **state) {
+    (void)state;
+    block b;
+    bl_message message;
+    assert_int_equal(read_text("n:seed=0xff,kernel=table:100,spacing=1/16", &b, &message), BL_OK);
+    assert_true(b.seed == 255 && b.kernel == 1 && b.entries == 100);
+    assert_true(b.spacing == 0.0625 && b.impulses == 3);
+    assert_int_equal(read_text("n", &b, &message), BL_OK);
+    assert_true(b.seed == 0 && b.kernel == 0 && b.spacing == 1);
+    assert_int_equal(read_text("n:seed=18446744073709551615", &b, &message), BL_OK);
+    assert_true(b.seed == UINT64_MAX);
+}
+
+static void test_the_canonical_text_reads_back_as_the_same_block(void **state) {
+    (void)state;
+    const char *texts[] = {"n", "n:seed=7", "n:spacing=0.1,impulses=5", "n:kernel=table:33",
+                           "n:seed=18446744073709551615,kernel=exact"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        block first, second;
+        bl_message message;
+        assert_int_equal(read_text(texts[i], &first, &message), BL_OK);
+        char *text = bl_parameters_text("n", parameters, &first);
+        assert_int_equal(read_text(text, &second, &message), BL_OK);
+        assert_memory_equal(&first, &second, sizeof first);
+        free(text);
+    }
+}
+
+static void test_errors_name_the_word_the_column_and_the_nearest_word(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *words[3];
+    } cases[] = {
+        {"n:sed=7", {"'sed'", "column 3", "'seed'"}},
+        {"n:seed=7,kernel=exakt", {"exakt", "column 17", "'exact'"}},
+        {"n:impulses=0", {"impulses=0", "column 12", "from 1 to 64"}},
+        {"n:impulses=3.5", {"impulses=3.5", "column 12", "whole number"}},
+        {"n:seed=18446744073709551616", {"seed=", "column 8", "18446744073709551615"}},
+        {"n:seed=-1", {"seed=-1", "column 8", "0 to"}},
+        {"n:spacing=nan", {"spacing=nan", "column 11", "a number"}},
+        {"n:spacing=1/0", {"spacing=1/0", "column 11", "a number"}},
+        {"n:kernel=table:", {"kernel=table:", "column 16", "whole number"}},
+        {"n:kernel=table:0", {"kernel=table:0", "column 16", "1 to 1000"}},
+        {"n:seed=1,seed=2", {"'seed'", "column 10", "twice"}},
+        {"n:seed", {"'seed'", "column 3", "key=value"}},
+        {"n:seed=", {"'seed='", "column 3", "key=value"}},
+        {"n:", {"column 3", "key=value", "nothing"}},
+        {"n:seed=1,", {"column 10", "key=value", "nothing"}},
+        {":seed=1", {"no name", "", ""}},
+        {"", {"no name", "", ""}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        block b;
+        bl_message message = {""};
+        assert_int_equal(read_text(cases[i].text, &b, &message), BL_USAGE);
+        for (int w = 0; w < 3; w++)
+            if (!strstr(message.text, cases[i].words[w]))
+                fail_msg("%s: '%s' lacks '%s'", cases[i].text, message.text, cases[i].words[w]);
+    }
+}
+
+static void test_the_nearest_word_is_near_or_none(void **state) {
+    (void)state;
+    const char *words[] = {"vnoise", "gnoise", "hermite", NULL};
+    assert_string_equal(bl_nearest("gnose", words), "gnoise");
+    assert_string_equal(bl_nearest("hermit", words), "hermite");
+    assert_null(bl_nearest("zebra", words));
+    assert_null(bl_nearest("", words));
+    char long_word[500];
+    memset(long_word, 'g', sizeof long_word - 1);
+    long_word[sizeof long_word - 1] = '\0';
+    assert_null(bl_nearest(long_word, words));
+}
+
+static void test_numbers_are_whole_words(void **state) {
+    (void)state;
+    unsigned long long u;
+    double d;
+    assert_true(bl_read_unsigned("0x10", &u) && u == 16);
+    assert_false(bl_read_unsigned("", &u) || bl_read_unsigned(" 1", &u) ||
+                 bl_read_unsigned("+1", &u) || bl_read_unsigned("1x", &u) ||
+                 bl_read_unsigned("99999999999999999999", &u));
+    assert_true(bl_read_real("-1e3", &d) && d == -1000);
+    assert_true(bl_read_real("3/4", &d) && d == 0.75);
+    assert_false(bl_read_real("", &d) || bl_read_real("inf", &d) || bl_read_real("nan", &d) ||
+                 bl_read_real("1e999", &d) || bl_read_real("1/", &d) || bl_read_real("/2", &d) ||
+                 bl_read_real("1 ", &d) || bl_read_real("1/2/3", &d));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_text_fills_the_block_and_defaults_the_rest),
+        cmocka_unit_test(test_the_canonical_text_reads_back_as_the_same_block),
+        cmocka_unit_test(test_errors_name_the_word_the_column_and_the_nearest_word),
+        cmocka_unit_test(test_the_nearest_word_is_near_or_none),
+        cmocka_unit_test(test_numbers_are_whole_words),
+    };
+    return bl_run_tests(tests);
+}
