@@ -13,11 +13,8 @@
 
 #include "cli/option.h"
 #include "core/signal.h"
+#include "core/version.h"
 #include "noises/noise.h"
-
-#ifndef BL_VERSION
-#define BL_VERSION "0.1.0"
-#endif
 
 typedef struct bl_verb bl_verb;
 

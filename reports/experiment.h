@@ -49,7 +49,7 @@ double bl_run_pick(const bl_run *run, double quick, double normal, double full);
 // Tells the progress callback what is being done.
 void bl_run_step(bl_run *run, const char *step);
 
-// A text made by printf that lives as long as the result does; "" if out of memory.
+// A text made by printf that lives as long as the run and its result; "" if out of memory.
 const char *bl_run_text(bl_run *run, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -86,17 +86,22 @@ typedef struct bl_run_note {
 } bl_run_note;
 
 typedef struct bl_run_view {
-    const bl_figure_result *result;
-    const bl_run_note *settings; // name and value
+    const bl_figure_result *result; // changes until the run is finished
+    const bl_run_note *settings;    // name and value
     size_t setting_count;
     const bl_run_note *plots; // name without ending, and the alternative text
     size_t plot_count;
 } bl_run_view;
 
-bl_run *bl_run_start(const bl_figure *figure, const bl_reproduce_settings *settings,
-                     size_t done, size_t total, bl_message *message);
-bl_status bl_run_finish(bl_run *run, bl_message *message); // writes NAME.json
+// Makes the figure's folder and runs the figure: everything but the page. On success the caller
+// frees the run with bl_run_free. `done` of `total` figures are for the progress callback.
+bl_status bl_run_figure(const bl_figure *figure, const bl_reproduce_settings *settings,
+                        size_t done, size_t total, bl_run **run, bl_message *message);
 bl_run_view bl_run_look(const bl_run *run);
 void bl_run_free(bl_run *run);
+
+// Writes NAME.json: the settings, the claims and the files of a run. Errors: BL_DEVICE.
+bl_status bl_run_write_json(const bl_run_view *view, const bl_reproduce_settings *settings,
+                            bl_message *message);
 
 #endif

@@ -43,7 +43,7 @@ static int spawn_gnuplot(const char *folder, const char *script, const char *pre
     char set_prefix[64];
     snprintf(set_prefix, sizeof set_prefix, "prefix='%s'", prefix);
     // -d keeps a user's start-up file out of the figures.
-    char *const arguments[] = {"gnuplot", "-d", "-e", set_prefix, (char *)script, NULL};
+    const char *const arguments[] = {"gnuplot", "-d", "-e", set_prefix, script, NULL};
     posix_spawn_file_actions_t actions;
     if (posix_spawn_file_actions_init(&actions) != 0)
         return ENOMEM;
@@ -55,7 +55,7 @@ static int spawn_gnuplot(const char *folder, const char *script, const char *pre
     if (!failed)
         failed = posix_spawn_file_actions_adddup2(&actions, to, 2);
     if (!failed)
-        failed = posix_spawnp(child, "gnuplot", &actions, NULL, arguments, environ);
+        failed = posix_spawnp(child, "gnuplot", &actions, NULL, (char *const *)arguments, environ);
     posix_spawn_file_actions_destroy(&actions);
     return failed;
 }

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `eval`: values at points, given as words or as lines of standard input. Without --json
+// the values of the lines that have arrived are printed before more are waited for, so that the
+// program can answer another one through a pair of pipes.
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli/json.h"
+#include "cli/verb.h"
+#include "cli/words.h"
+
+// What is carried from line to line.
+typedef struct reader {
+    bl_call *call;
+    const bl_signal *signal;
+    json_t *points, *values, *reference; // NULL without --json
+    size_t line;
+} reader;
+
+static void answer(reader *reader, const double at[BL_AXES], size_t given) {
+    static const double step[BL_AXES] = {1};
+    float value;
+    bl_signal_row(reader->signal, at, step, 1, &value);
+    if (!reader->points) {
+        fprintf(reader->call->out, "%.9g\n", (double)value);
+        return;
+    }
+    json_array_append_new(reader->points, bl_json_numbers(at, given));
+    json_array_append_new(reader->values, bl_json_number((double)value));
+    json_array_append_new(reader->reference,
+                          bl_json_number(bl_signal_value(reader->signal, at)));
+}
+
+// Reads one line: up to four numbers with blanks or commas between them; # starts a comment.
+static bl_status read_line(reader *reader, char *line) {
+    bl_message *message = &reader->call->message;
+    double at[BL_AXES] = {0};
+    size_t count = 0;
+    char where[48], *rest = NULL;
+    snprintf(where, sizeof where, "standard input, line %zu", ++reader->line);
+    line[strcspn(line, "#")] = '\0';
+    for (char *word = strtok_r(line, " \t\r,;", &rest); word;
+         word = strtok_r(NULL, " \t\r,;", &rest)) {
+        if (count == BL_AXES)
+            return bl_report(message, BL_USAGE, "%s: more than four numbers; a point is X Y Z W",
+                             where);
+        bl_status status =
+            bl_read_coordinate(word, bl_signal_far(reader->signal), where, &at[count++], message);
+        if (status != BL_OK)
+            return status;
+    }
+    if (count)
+        answer(reader, at, count);
+    return BL_OK;
+}
+
+// Answers the whole lines of the buffer and moves the rest to its start.
+static bl_status read_lines(reader *reader, char *buffer, size_t *length) {
+    char *start = buffer, *end = buffer + *length;
+    for (char *feed; (feed = memchr(start, '\n', (size_t)(end - start))); start = feed + 1) {
+        *feed = '\0';
+        if (strlen(start) != (size_t)(feed - start))
+            return bl_report(&reader->call->message, BL_USAGE,
+                             "standard input, line %zu: a byte 0; points are lines of text",
+                             reader->line + 1);
+        bl_status status = read_line(reader, start);
+        if (status != BL_OK)
+            return status;
+    }
+    *length = (size_t)(end - start);
+    memmove(buffer, start, *length);
+    return BL_OK;
+}
+
+static bl_status read_input(reader *reader) {
+    enum { SIZE = 1 << 16 };
+    static char buffer[SIZE + 1];
+    size_t length = 0;
+    bl_status status = BL_OK;
+    while (status == BL_OK) {
+        ssize_t got = read(STDIN_FILENO, buffer + length, SIZE - length);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got < 0)
+            return bl_report(&reader->call->message, BL_DEVICE, "cannot read standard input: %s",
+                             strerror(errno));
+        if (got == 0) {
+            if (length > 0) // a last line without a line feed
+                buffer[length++] = '\n';
+            return read_lines(reader, buffer, &length);
+        }
+        length += (size_t)got;
+        status = read_lines(reader, buffer, &length);
+        if (status == BL_OK && length == SIZE)
+            return bl_report(&reader->call->message, BL_USAGE,
+                             "standard input, line %zu: longer than %d letters", reader->line + 1,
+                             SIZE);
+        // A reader that has gone shows here; main reports it.
+        if (!reader->points && fflush(reader->call->out) != 0)
+            return BL_OK;
+    }
+    return status;
+}
+
+static bl_status read_words(reader *reader) {
+    static const char *const names[] = {"X", "Y", "Z", "W"};
+    const bl_words *words = &reader->call->operands;
+    double at[BL_AXES] = {0};
+    for (size_t i = 1; i < words->count; i++) {
+        bl_status status = bl_read_coordinate(words->words[i], bl_signal_far(reader->signal),
+                                              names[i - 1], &at[i - 1], &reader->call->message);
+        if (status != BL_OK)
+            return status;
+    }
+    answer(reader, at, words->count - 1);
+    return BL_OK;
+}
+
+bl_status bl_call_seed_signal(bl_call *call, bl_signal **signal) {
+    if (!call->common.seed_word)
+        return BL_OK;
+    bl_signal *seeded = bl_signal_reseed(*signal, call->common.seed);
+    if (!seeded)
+        return bl_report(&call->message, BL_MISMATCH, "--seed: '%s' has no seed; leave it out",
+                         call->operands.words[0]);
+    bl_signal_free(*signal);
+    *signal = seeded;
+    return BL_OK;
+}
+
+static bl_status run_eval(bl_call *call) {
+    bl_signal *signal;
+    bl_status status = bl_call_open(call, call->operands.words[0], &signal);
+    if (status != BL_OK)
+        return status;
+    status = bl_call_seed_signal(call, &signal);
+    reader reader = {.call = call, .signal = signal};
+    json_t *object = bl_json_start(call);
+    if (object) {
+        bl_json_set_text(object, "signal", signal->text);
+        json_object_set_new(object, "points", reader.points = json_array());
+        json_object_set_new(object, "values", reader.values = json_array());
+        json_object_set_new(object, "reference", reader.reference = json_array());
+    }
+    if (status == BL_OK)
+        status = call->operands.count > 1 ? read_words(&reader) : read_input(&reader);
+    bl_signal_free(signal);
+    return status;
+}
+
+const bl_verb bl_verb_eval = {
+    .name = "eval",
+    .operands = "SIGNAL [X [Y [Z [W]]]]",
+    .summary = "values at points, from arguments or stdin",
+    .text = "Prints the value at the point X Y Z W in lattice cells; coordinates left out are 0, "
+            "and those that the signal does not have are ignored. Without X, points are read from "
+            "standard input, one a line, numbers with blanks or commas between them, # starting a "
+            "comment; one value is printed for each. A value is the float that rows of samples "
+            "hold; with --json the double reference is given too. A place where the signal has no "
+            "value prints nan (null in JSON).",
+    .least = 1,
+    .most = 1 + BL_AXES,
+    .output_help = "write the values to PATH instead of stdout",
+    .options = bl_no_options,
+    .run = run_eval,
+};

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `list`: what there is, one line a thing.
+#include <string.h>
+
+#include "cli/json.h"
+#include "cli/verb.h"
+#include "core/grammar.h"
+#include "reports/experiment.h"
+
+typedef struct list_settings {
+    int names;
+} list_settings;
+
+// One line of a list.
+typedef struct entry {
+    const char *name, *title, *paper, *summary;
+    unsigned dimensions; // 0: has none
+} entry;
+
+// A kind of thing: how many there are, and the one at an index.
+typedef struct section {
+    const char *name;
+    size_t (*count)(void);
+    entry (*at)(size_t index);
+} section;
+
+static entry noise_at(size_t index) {
+    const bl_noise *noise = bl_noise_at(index, BL_ISA_BASELINE);
+    return (entry){noise->name, noise->title, noise->paper, noise->summary, noise->dimensions};
+}
+
+static entry figure_at(size_t index) {
+    const bl_figure *figure = bl_figure_at(index);
+    return (entry){figure->name, figure->title, figure->paper, figure->question, 0};
+}
+
+static size_t none(void) {
+    return 0;
+}
+
+static const section sections[] = {
+    {"noises", bl_noise_count, noise_at},
+    {"filters", none, NULL},
+    {"textures", none, NULL},
+    {"figures", bl_figure_count, figure_at},
+};
+enum { SECTIONS = sizeof sections / sizeof *sections };
+
+static json_t *section_json(const section *section) {
+    json_t *list = json_array();
+    for (size_t i = 0; i < section->count(); i++) {
+        entry entry = section->at(i);
+        json_t *object = json_object();
+        bl_json_set_text(object, "name", entry.name);
+        bl_json_set_text(object, "title", entry.title);
+        if (entry.dimensions)
+            bl_json_set_count(object, "dimensions", entry.dimensions);
+        bl_json_set_text(object, "paper", entry.paper);
+        bl_json_set_text(object, "summary", entry.summary);
+        json_array_append_new(list, object);
+    }
+    return list;
+}
+
+static void print_section(FILE *out, const section *section, int names) {
+    if (!names)
+        fprintf(out, "%s%s\n", section->name, section->count() ? "" : ": none in this version");
+    for (size_t i = 0; i < section->count(); i++) {
+        entry entry = section->at(i);
+        if (names)
+            fprintf(out, "%s\n", entry.name);
+        else
+            fprintf(out, "  %-14s %s (%s)\n", entry.name, entry.title, entry.paper);
+    }
+}
+
+static bl_status run_list(bl_call *call) {
+    const list_settings *settings = call->settings;
+    const char *word = call->operands.count ? call->operands.words[0] : NULL, *known[SECTIONS + 1];
+    int found = !word;
+    for (size_t i = 0; i < SECTIONS; i++) {
+        known[i] = sections[i].name;
+        found |= word && strcmp(word, sections[i].name) == 0;
+    }
+    known[SECTIONS] = NULL;
+    const char *near = found ? NULL : bl_nearest(word, known);
+    if (!found)
+        return bl_report(&call->message, BL_USAGE,
+                         "'%s' is not a list; use noises, filters, textures or figures%s%s%s", word,
+                         near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+    json_t *object = bl_json_start(call);
+    for (size_t i = 0; i < SECTIONS; i++) {
+        if (word && strcmp(word, sections[i].name) != 0)
+            continue;
+        if (object)
+            json_object_set_new(object, sections[i].name, section_json(&sections[i]));
+        else
+            print_section(call->out, &sections[i], settings->names);
+    }
+    return BL_OK;
+}
+
+static const bl_option options[] = {
+    {.name = "names", .kind = BL_OPTION_FLAG, .offset = offsetof(list_settings, names),
+     .help = "the bare names, one a line, for scripts"},
+    {0}};
+
+const bl_verb bl_verb_list = {
+    .name = "list",
+    .operands = "[noises|filters|textures|figures]",
+    .summary = "what there is, by kind",
+    .most = 1,
+    .output_help = "write the list to PATH instead of stdout",
+    .options = options,
+    .settings_size = sizeof(list_settings),
+    .run = run_list,
+};

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// The umbrella of the public headers. Each of them documents its functions: purpose, shapes,
+// units, ownership, errors, thread safety.
+#ifndef BANDLIMIT_H
+#define BANDLIMIT_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#include "core/version.h"
+#include "core/status.h"
+#include "core/signal.h"
+#include "core/grammar.h"
+#include "core/hash.h"
+#include "core/random.h"
+#include "core/statistics.h"
+#include "core/file.h"
+#include "noises/noise.h"
+#include "spectra/window.h"
+#include "spectra/psd.h"
+#include "spectra/histogram.h"
+#include "spectra/theory.h"
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

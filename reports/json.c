@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+//
+// The JSON of a figure: "schema": "bandlimit.figure/1". It holds no times and no paths, so that the
+// same settings give the same bytes.
+#include <jansson.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/file.h"
+#include "core/version.h"
+#include "reports/experiment.h"
+
+// Infinity and NaN have no JSON: they are null, as "no limit" and "not measured".
+static json_t *number(double value) {
+    return isfinite(value) ? json_real(value) : json_null();
+}
+
+static json_t *claim_json(const bl_claim *claim) {
+    const bl_estimate *m = &claim->measured;
+    return json_pack("{s:s, s:s, s:s, s:s, s:[o,o], s:o, s:[o,o], s:o, s:o, s:s}", "claim",
+                     claim->sentence, "source", claim->source, "reading", claim->reading, "unit",
+                     claim->unit, "expected", number(claim->expected_lower),
+                     number(claim->expected_upper), "measured", number(m->value), "interval",
+                     number(m->lower), number(m->upper), "level", number(m->level), "samples",
+                     number(m->samples), "verdict", bl_verdict_word(claim->verdict));
+}
+
+static json_t *settings_json(const bl_run_view *view) {
+    json_t *object = json_object();
+    for (size_t i = 0; i < view->setting_count; i++)
+        json_object_set_new(object, view->settings[i].name, json_string(view->settings[i].text));
+    return object;
+}
+
+static json_t *verdicts_json(const bl_figure_result *result) {
+    json_t *object = json_object();
+    for (int v = 0; v <= BL_NOT_RUN; v++)
+        json_object_set_new(object, bl_verdict_word((bl_verdict)v),
+                            json_integer((json_int_t)result->verdicts[v]));
+    return object;
+}
+
+static json_t *figure_json(const bl_run_view *view, const bl_reproduce_settings *settings) {
+    const bl_figure_result *result = view->result;
+    const bl_figure *figure = result->figure;
+    json_t *claims = json_array(), *files = json_array();
+    for (size_t i = 0; i < result->claim_count; i++)
+        json_array_append_new(claims, claim_json(&result->claims[i]));
+    for (size_t i = 0; i < result->file_count; i++)
+        json_array_append_new(files, json_string(result->files[i]));
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:I, s:o, s:o, s:o, s:o}",
+                     "schema", "bandlimit.figure/1", "version", BL_VERSION, "arguments",
+                     settings->arguments ? settings->arguments : "", "figure", figure->name,
+                     "title", figure->title, "question", figure->question, "paper", figure->paper,
+                     "shows", figure->shows, "size", bl_size_word(settings->size), "seed",
+                     (json_int_t)settings->seed, "settings", settings_json(view), "verdicts",
+                     verdicts_json(result), "claims", claims, "files", files);
+}
+
+bl_status bl_run_write_json(const bl_run_view *view, const bl_reproduce_settings *settings,
+                            bl_message *message) {
+    char *path = NULL;
+    if (asprintf(&path, "%s/%s.json", view->result->folder, view->result->figure->name) < 0)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    json_t *json = figure_json(view, settings);
+    char *text = json ? json_dumps(json, JSON_INDENT(2) | JSON_REAL_PRECISION(9)) : NULL;
+    json_decref(json);
+    bl_file file;
+    bl_status status = text ? bl_file_create(path, &file, message)
+                            : bl_report(message, BL_DEVICE, "out of memory");
+    if (status == BL_OK) {
+        fprintf(file.stream, "%s\n", text);
+        status = bl_file_commit(&file, message);
+    }
+    free(text);
+    free(path);
+    return status;
+}
