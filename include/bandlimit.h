@@ -12,6 +12,7 @@ extern "C" {
 #include "core/version.h"
 #include "core/status.h"
 #include "core/signal.h"
+#include "core/grid.h"
 #include "core/grammar.h"
 #include "core/hash.h"
 #include "core/random.h"
