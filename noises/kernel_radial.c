@@ -29,13 +29,11 @@ int bl_radial_continuity(void) {
     return bl_kernel_continuity(BL_KERNEL_CATMULL_ROM);
 }
 
-// At small f the sine transform is f times 4 pi int_0^2 r^2 k; its series has only odd powers, so
-// at 1e-5 the relative error of the limit is below (2 pi f 2)^2 / 6 < 1e-8; we take the quotient
-// there, which is exact to rounding for any f that is not 0.
+// The quotient holds for every f but 0: the sine transform is proportional to f near 0.
 double bl_radial_transform(double frequency) {
     double f = fabs(frequency);
-    if (f < 1e-150)
-        f = 1e-150; // the quotient still holds: far from underflow
+    if (f < 1e-150) // the limit, to 1e-299
+        f = 1e-150;
     return bl_kernel_transform(BL_KERNEL_RADIAL, f) / f;
 }
 

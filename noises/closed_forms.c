@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "noises/closed_forms.h"
+
+#include <assert.h>
+#include <math.h>
+
+#include "core/quadrature.h"
+
+static void add(bl_terms *terms, bl_term term) {
+    assert(terms->count < BL_TERMS_MOST);
+    terms->term[terms->count++] = term;
+}
+
+void bl_terms_add_value(bl_terms *terms, double variance, bl_kernel kernel) {
+    add(terms, (bl_term){.variance = variance, .kernel = {kernel, kernel, kernel}});
+}
+
+void bl_terms_add_gradient(bl_terms *terms, double variance, bl_kernel ramp, bl_kernel weight) {
+    for (int axis = 0; axis < 3; axis++) {
+        bl_term term = {.variance = variance, .kernel = {weight, weight, weight}};
+        term.kernel[axis] = ramp;
+        add(terms, term);
+    }
+}
+
+void bl_terms_add_radial(bl_terms *terms, double variance) {
+    add(terms, (bl_term){.variance = variance, .radial = 1});
+}
+
+void bl_terms_add_scaled(bl_terms *terms, const bl_terms *other, double factor) {
+    for (int i = 0; i < other->count; i++) {
+        bl_term term = other->term[i];
+        term.variance *= factor * factor;
+        add(terms, term);
+    }
+}
+
+static double length(const double v[BL_AXES]) {
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+double bl_terms_covariance(const bl_terms *terms, const double lag[BL_AXES]) {
+    double sum = 0;
+    for (int i = 0; i < terms->count; i++) {
+        const bl_term *term = &terms->term[i];
+        double product = term->variance;
+        if (term->radial)
+            product *= bl_radial_correlation(length(lag));
+        else
+            for (int a = 0; a < 3 && product != 0; a++)
+                product *= bl_kernel_correlation(term->kernel[a], lag[a]);
+        sum += product;
+    }
+    return sum;
+}
+
+double bl_terms_density(const bl_terms *terms, const double frequency[BL_AXES]) {
+    double sum = 0;
+    for (int i = 0; i < terms->count; i++) {
+        const bl_term *term = &terms->term[i];
+        double product = 1;
+        if (term->radial)
+            product = bl_radial_transform(length(frequency));
+        else
+            for (int a = 0; a < 3; a++)
+                product *= bl_kernel_transform(term->kernel[a], frequency[a]);
+        sum += term->variance * product * product;
+    }
+    return sum;
+}
+
+double bl_terms_variance(const bl_terms *terms) {
+    return bl_terms_covariance(terms, (const double[BL_AXES]){0});
+}
+
+static double reach(const bl_terms *terms) {
+    double most = 0;
+    for (int i = 0; i < terms->count; i++)
+        for (int a = 0; a < 3; a++) {
+            const bl_term *term = &terms->term[i];
+            double own = term->radial ? BL_RADIAL_REACH : 2 * bl_kernel_support(term->kernel[a]);
+            most = fmax(most, own);
+        }
+    return most;
+}
+
+// The share below b is int R(t) sin(2 pi b t)/(pi t) dt over all lags t along the axis, divided by
+// R(0). R is a polynomial (over t) between whole lags; panels of one cycle at most.
+double bl_terms_share_above(const bl_terms *terms, double frequency) {
+    double below = 0, cell = reach(terms);
+    int panels = (int)ceil(fmax(fabs(frequency), 2)); // in a unit
+    double half = 0.5 / panels;
+    for (int panel = 0; panel < panels * (int)cell; panel++)
+        for (int n = 0; n < BL_QUADRATURE_NODES; n++) {
+            double t = half * (2 * panel + 1 + bl_quadrature_node[n]);
+            double covariance = bl_terms_covariance(terms, (const double[BL_AXES]){t});
+            below += half * bl_quadrature_weight[n] * covariance *
+                     sin(2 * M_PI * frequency * t) / (M_PI * t);
+        }
+    return 1 - 2 * below / bl_terms_variance(terms);
+}
+
+void bl_terms_describe(const bl_terms *terms, bl_facts *facts) {
+    facts->mean = 0;
+    facts->variance = bl_terms_variance(terms);
+    facts->covariance_reach = reach(terms);
+    facts->band_from = 0;
+    facts->band_to = 1;
+    facts->leak_db = ceil(1000 * log10(bl_terms_share_above(terms, 1))) / 100;
+}

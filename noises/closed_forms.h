@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//
+// Closed forms of noises that are sums of independent terms: a noise file lists its terms, and the
+// functions here give its covariance, its density and the facts that follow from them.
+//
+// A lattice term is the noise  sum over cells c of a_c k_x(x - c_x) k_y(y - c_y) k_z(z - c_z)  with
+// uncorrelated numbers a_c of mean 0 and a given variance. Over a uniformly random place in the
+// cell its covariance is variance * product of rho_b(lag_b), because the mean over the place turns
+// the sum over cells into an integral, and its density variance * product of |k^_b(f_b)|^2. Terms
+// that share no random number, or uncorrelated ones, add up.
+//
+// A radial term is the same with one kernel of the distance: variance * R(|lag|) and
+// variance * |K^(|f|)|^2. It holds for impulses on the lattice (over places) and for impulses at
+// independent uniform places in each cell: a uniform place in every cell is uniform in space, and
+// the cross terms vanish because the amplitudes are independent of mean 0. The second needs no mean
+// over places: such a noise is stationary to second order, exactly.
+//
+// The forms assume that different lattice points have uncorrelated numbers. A table of 256 numbers
+// repeats them (rows of a slice are shifts of one another), so lattice=perm256 has none.
+#ifndef BL_NOISES_CLOSED_FORMS_H
+#define BL_NOISES_CLOSED_FORMS_H
+
+#include "core/signal.h"
+#include "noises/kernel.h"
+
+enum { BL_TERMS_MOST = 12 };
+
+typedef struct bl_term {
+    double variance;
+    bl_kernel kernel[3];
+    int radial; // 1: the radial Catmull-Rom kernel, `kernel` is not read
+} bl_term;
+
+typedef struct bl_terms {
+    int count;
+    bl_term term[BL_TERMS_MOST];
+} bl_terms;
+
+// Variance of the lattice values: odd multiples of 2^-23 ... uniform on the 2^24 odd multiples of
+// 2^-24 in (-1, 1): (1 - 2^-48)/3.
+#define BL_VALUE_VARIANCE ((1 - 0x1p-48) / 3)
+
+// sum_c a_c k(x) k(y) k(z).
+void bl_terms_add_value(bl_terms *terms, double variance, bl_kernel kernel);
+// sum_c g_c . d w(x) w(y) w(z), with E[g_a g_b] = variance if a = b, else 0; `ramp` is d w(d): one
+// term an axis, with the ramp along that axis and w along the others.
+void bl_terms_add_gradient(bl_terms *terms, double variance, bl_kernel ramp, bl_kernel weight);
+void bl_terms_add_radial(bl_terms *terms, double variance);
+// Adds all terms of another noise, times a factor, that draws independent numbers.
+void bl_terms_add_scaled(bl_terms *terms, const bl_terms *other, double factor);
+
+double bl_terms_covariance(const bl_terms *terms, const double lag[BL_AXES]);
+double bl_terms_density(const bl_terms *terms, const double frequency[BL_AXES]);
+double bl_terms_variance(const bl_terms *terms);
+
+// The share of the variance above a frequency, of the spectrum along the x axis at random places.
+double bl_terms_share_above(const bl_terms *terms, double frequency);
+
+// Fills mean 0, variance, covariance reach, and the claim that along an axis all but leak_db of the
+// variance lies in [0, 1]: the exact share outside, rounded up to the next hundredth of a dB.
+void bl_terms_describe(const bl_terms *terms, bl_facts *facts);
+
+// Hard bounds, and how they are proved: noises/bounds.c.
+typedef struct bl_bound {
+    double value;
+    const char *proof;
+} bl_bound;
+
+bl_bound bl_bound_value(bl_kernel kernel);                 // values in (-1, 1), three axes
+bl_bound bl_bound_gradient(bl_kernel weight, int edges);   // unit vectors, or the 12 edges
+bl_bound bl_bound_hermite(void);                           // values and tangents in (-1, 1)
+bl_bound bl_bound_lattice_convolution(void);               // radial Catmull-Rom
+bl_bound bl_bound_sparse_convolution(void);                // any number of impulses a cell
+
+#endif
