@@ -14,6 +14,18 @@ bl_status bl_call_open(bl_call *call, const char *text, bl_signal **signal) {
     return bl_source_open(text, call->isa, signal, &call->message);
 }
 
+bl_status bl_call_seed_signal(bl_call *call, bl_signal **signal) {
+    if (!call->common.seed_word)
+        return BL_OK;
+    bl_signal *seeded = bl_signal_reseed(*signal, call->common.seed);
+    if (!seeded)
+        return bl_report(&call->message, BL_MISMATCH, "--seed: '%s' has no seed; leave it out",
+                         call->operands.words[0]);
+    bl_signal_free(*signal);
+    *signal = seeded;
+    return BL_OK;
+}
+
 int bl_call_threads(const bl_call *call) {
     return call->common.threads ? (int)call->common.threads : omp_get_max_threads();
 }

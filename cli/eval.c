@@ -13,14 +13,14 @@
 #include "cli/words.h"
 
 // What is carried from line to line.
-typedef struct reader {
+typedef struct point_reader {
     bl_call *call;
     const bl_signal *signal;
     json_t *points, *values, *reference; // NULL without --json
     size_t line;
-} reader;
+} point_reader;
 
-static void answer(reader *reader, const double at[BL_AXES], size_t given) {
+static void answer(point_reader *reader, const double at[BL_AXES], size_t given) {
     static const double step[BL_AXES] = {1};
     float value;
     bl_signal_row(reader->signal, at, step, 1, &value);
@@ -30,12 +30,11 @@ static void answer(reader *reader, const double at[BL_AXES], size_t given) {
     }
     json_array_append_new(reader->points, bl_json_numbers(at, given));
     json_array_append_new(reader->values, bl_json_number((double)value));
-    json_array_append_new(reader->reference,
-                          bl_json_number(bl_signal_value(reader->signal, at)));
+    json_array_append_new(reader->reference, bl_json_number(bl_signal_value(reader->signal, at)));
 }
 
 // Reads one line: up to four numbers with blanks or commas between them; # starts a comment.
-static bl_status read_line(reader *reader, char *line) {
+static bl_status read_line(point_reader *reader, char *line) {
     bl_message *message = &reader->call->message;
     double at[BL_AXES] = {0};
     size_t count = 0;
@@ -58,7 +57,7 @@ static bl_status read_line(reader *reader, char *line) {
 }
 
 // Answers the whole lines of the buffer and moves the rest to its start.
-static bl_status read_lines(reader *reader, char *buffer, size_t *length) {
+static bl_status read_lines(point_reader *reader, char *buffer, size_t *length) {
     char *start = buffer, *end = buffer + *length;
     for (char *feed; (feed = memchr(start, '\n', (size_t)(end - start))); start = feed + 1) {
         *feed = '\0';
@@ -75,7 +74,7 @@ static bl_status read_lines(reader *reader, char *buffer, size_t *length) {
     return BL_OK;
 }
 
-static bl_status read_input(reader *reader) {
+static bl_status read_input(point_reader *reader) {
     enum { SIZE = 1 << 16 };
     static char buffer[SIZE + 1];
     size_t length = 0;
@@ -105,7 +104,7 @@ static bl_status read_input(reader *reader) {
     return status;
 }
 
-static bl_status read_words(reader *reader) {
+static bl_status read_words(point_reader *reader) {
     static const char *const names[] = {"X", "Y", "Z", "W"};
     const bl_words *words = &reader->call->operands;
     double at[BL_AXES] = {0};
@@ -119,25 +118,13 @@ static bl_status read_words(reader *reader) {
     return BL_OK;
 }
 
-bl_status bl_call_seed_signal(bl_call *call, bl_signal **signal) {
-    if (!call->common.seed_word)
-        return BL_OK;
-    bl_signal *seeded = bl_signal_reseed(*signal, call->common.seed);
-    if (!seeded)
-        return bl_report(&call->message, BL_MISMATCH, "--seed: '%s' has no seed; leave it out",
-                         call->operands.words[0]);
-    bl_signal_free(*signal);
-    *signal = seeded;
-    return BL_OK;
-}
-
 static bl_status run_eval(bl_call *call) {
     bl_signal *signal;
     bl_status status = bl_call_open(call, call->operands.words[0], &signal);
     if (status != BL_OK)
         return status;
     status = bl_call_seed_signal(call, &signal);
-    reader reader = {.call = call, .signal = signal};
+    point_reader reader = {.call = call, .signal = signal};
     json_t *object = bl_json_start(call);
     if (object) {
         bl_json_set_text(object, "signal", signal->text);
@@ -155,12 +142,13 @@ const bl_verb bl_verb_eval = {
     .name = "eval",
     .operands = "SIGNAL [X [Y [Z [W]]]]",
     .summary = "values at points, from arguments or stdin",
-    .text = "Prints the value at the point X Y Z W in lattice cells; coordinates left out are 0, "
-            "and those that the signal does not have are ignored. Without X, points are read from "
-            "standard input, one a line, numbers with blanks or commas between them, # starting a "
-            "comment; one value is printed for each. A value is the float that rows of samples "
-            "hold; with --json the double reference is given too. A place where the signal has no "
-            "value prints nan (null in JSON).",
+    .text =
+        "Prints the value at the point X Y Z W in lattice cells; coordinates left out are 0, "
+        "and those that the signal does not have are ignored. Without X, points are read from "
+        "standard input, one a line, numbers with blanks or commas between them, # starting a "
+        "comment; one value is printed for each. A value is the float that rows of samples "
+        "hold; with --json the double reference is given too. A place where the signal has no "
+        "value prints nan (null in JSON).",
     .least = 1,
     .most = 1 + BL_AXES,
     .output_help = "write the values to PATH instead of stdout",

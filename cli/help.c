@@ -42,18 +42,18 @@ static void describe(const bl_option *option, const char *help, char *text, size
     }
     int ranged = option->kind == BL_OPTION_UNSIGNED || option->kind == BL_OPTION_REAL;
     if (ranged && used < size)
-        used += (size_t)snprintf(text + used, size - used, "; from %.10g to %.10g",
-                                 option->minimum, option->maximum);
+        used += (size_t)snprintf(text + used, size - used, "; from %.10g to %.10g", option->minimum,
+                                 option->maximum);
     if (option->fallback && used < size)
         snprintf(text + used, size - used, " (default: %s)", option->fallback);
 }
 
 static void print_option(FILE *out, const bl_option *option, const char *help) {
     char name[64], text[1024];
-    int length = snprintf(name, sizeof name, "  %c%c%s--%s%s%s", option->letter ? '-' : ' ',
-                          option->letter ? option->letter : ' ', option->letter ? ", " : "  ",
-                          option->name, option->value ? " " : "",
-                          option->value ? option->value : "");
+    int length =
+        snprintf(name, sizeof name, "  %c%c%s--%s%s%s", option->letter ? '-' : ' ',
+                 option->letter ? option->letter : ' ', option->letter ? ", " : "  ", option->name,
+                 option->value ? " " : "", option->value ? option->value : "");
     describe(option, help, text, sizeof text);
     fputs(name, out);
     size_t at = (size_t)length;
@@ -88,9 +88,10 @@ static void print_verb(FILE *out, const bl_verb *verb) {
 }
 
 static void print_program(FILE *out) {
-    fputs("usage: bandlimit VERB [words] [options]\n\n"
-          "Measures procedural noise: spectra, histograms, band limits, cost.\n\nverbs:\n",
-          out);
+    fputs(
+        "usage: bandlimit VERB [words] [options]\n\n"
+        "Measures procedural noise: spectra, histograms, band limits, cost.\n\nverbs:\n",
+        out);
     for (size_t i = 0; i < bl_verb_count(); i++) {
         const bl_verb *verb = bl_verb_at(i);
         fprintf(out, "  %-11s", verb->name);
@@ -99,15 +100,16 @@ static void print_program(FILE *out) {
     fputs("\ncommon options:\n", out);
     for (const bl_option *option = bl_common_options; option->name; option++)
         print_option(out, option, option->help);
-    fputs("\n"
-          "A SIGNAL is a noise and its settings, as gnoise:seed=7, or an image file, as\n"
-          "grain.exr:spacing=0.0625; `bandlimit list` shows what there is and `bandlimit\n"
-          "show NAME` what a noise is and takes. Coordinates are in lattice cells,\n"
-          "frequencies in cycles per cell.\n\n"
-          "Exit status: 0 pass, 1 inconclusive, 2 fail, 3 inputs that do not fit together,\n"
-          "4 file or device error, 64 bad usage.\n\n"
-          "`bandlimit VERB --help` tells all about a verb.\n",
-          out);
+    fputs(
+        "\n"
+        "A SIGNAL is a noise and its settings, as gnoise:seed=7, or an image file, as\n"
+        "grain.exr:spacing=0.0625; `bandlimit list` shows what there is and `bandlimit\n"
+        "show NAME` what a noise is and takes. Coordinates are in lattice cells,\n"
+        "frequencies in cycles per cell.\n\n"
+        "Exit status: 0 pass, 1 inconclusive, 2 fail, 3 inputs that do not fit together,\n"
+        "4 file or device error, 64 bad usage.\n\n"
+        "`bandlimit VERB --help` tells all about a verb.\n",
+        out);
 }
 
 void bl_help_print(FILE *out, const bl_verb *verb) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The JSON objects of the verbs. Every object starts with its schema, the version and the arguments as
-// typed; a number that is not finite becomes null. Building never fails half-way: without memory
+// The JSON objects of the verbs. Every object starts with its schema, the version and the arguments
+// as typed; a number that is not finite becomes null. Building never fails half-way: without memory
 // the object stays incomplete and bl_json_print reports it.
 #ifndef BL_CLI_JSON_H
 #define BL_CLI_JSON_H

@@ -13,33 +13,33 @@ typedef struct list_settings {
 } list_settings;
 
 // One line of a list.
-typedef struct entry {
+typedef struct list_entry {
     const char *name, *title, *paper, *summary;
     unsigned dimensions; // 0: has none
-} entry;
+} list_entry;
 
 // A kind of thing: how many there are, and the one at an index.
-typedef struct section {
+typedef struct list_section {
     const char *name;
     size_t (*count)(void);
-    entry (*at)(size_t index);
-} section;
+    list_entry (*at)(size_t index);
+} list_section;
 
-static entry noise_at(size_t index) {
+static list_entry noise_at(size_t index) {
     const bl_noise *noise = bl_noise_at(index, BL_ISA_BASELINE);
-    return (entry){noise->name, noise->title, noise->paper, noise->summary, noise->dimensions};
+    return (list_entry){noise->name, noise->title, noise->paper, noise->summary, noise->dimensions};
 }
 
-static entry figure_at(size_t index) {
+static list_entry figure_at(size_t index) {
     const bl_figure *figure = bl_figure_at(index);
-    return (entry){figure->name, figure->title, figure->paper, figure->question, 0};
+    return (list_entry){figure->name, figure->title, figure->paper, figure->question, 0};
 }
 
 static size_t none(void) {
     return 0;
 }
 
-static const section sections[] = {
+static const list_section sections[] = {
     {"noises", bl_noise_count, noise_at},
     {"filters", none, NULL},
     {"textures", none, NULL},
@@ -47,10 +47,10 @@ static const section sections[] = {
 };
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
-static json_t *section_json(const section *section) {
+static json_t *section_json(const list_section *section) {
     json_t *list = json_array();
     for (size_t i = 0; i < section->count(); i++) {
-        entry entry = section->at(i);
+        list_entry entry = section->at(i);
         json_t *object = json_object();
         bl_json_set_text(object, "name", entry.name);
         bl_json_set_text(object, "title", entry.title);
@@ -63,11 +63,11 @@ static json_t *section_json(const section *section) {
     return list;
 }
 
-static void print_section(FILE *out, const section *section, int names) {
+static void print_section(FILE *out, const list_section *section, int names) {
     if (!names)
         fprintf(out, "%s%s\n", section->name, section->count() ? "" : ": none in this version");
     for (size_t i = 0; i < section->count(); i++) {
-        entry entry = section->at(i);
+        list_entry entry = section->at(i);
         if (names)
             fprintf(out, "%s\n", entry.name);
         else
@@ -101,10 +101,11 @@ static bl_status run_list(bl_call *call) {
     return BL_OK;
 }
 
-static const bl_option options[] = {
-    {.name = "names", .kind = BL_OPTION_FLAG, .offset = offsetof(list_settings, names),
-     .help = "the bare names, one a line, for scripts"},
-    {0}};
+static const bl_option options[] = {{.name = "names",
+                                     .kind = BL_OPTION_FLAG,
+                                     .offset = offsetof(list_settings, names),
+                                     .help = "the bare names, one a line, for scripts"},
+                                    {0}};
 
 const bl_verb bl_verb_list = {
     .name = "list",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// bandlimit: a laboratory for procedural noise. This file reads the command line, runs one verb, and
-// sees to it that what was printed arrived and that the exit status says what happened.
+// bandlimit: a laboratory for procedural noise. This file reads the command line, runs one verb,
+// and sees to it that what was printed arrived and that the exit status says what happened.
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -48,8 +48,9 @@ static bl_status finish_stdout(bl_status status, bl_message *message) {
                      errno ? strerror(errno) : "a write failed");
 }
 
-static int is_error(bl_status status) {
-    return status != BL_OK && status != BL_INCONCLUSIVE && status != BL_FAIL;
+// A verdict has no message; an error has.
+static int is_error(const bl_call *call, bl_status status) {
+    return status != BL_OK && call->message.text[0];
 }
 
 static void print_error_json(const bl_call *call, bl_status status) {
@@ -75,6 +76,9 @@ static bl_status settle_common(bl_call *call) {
                          common->seed_word);
     common->seed = seed;
     call->isa = BL_ISA_BEST;
+    call->every_isa = call->verb->takes_every_isa && common->isa && strcmp(common->isa, "all") == 0;
+    if (call->every_isa)
+        return BL_OK;
     return common->isa ? bl_isa_read(common->isa, &call->isa, &call->message) : BL_OK;
 }
 
@@ -113,12 +117,12 @@ static bl_status run_verb(bl_call *call) {
     }
     bl_status status = call->verb->run(call);
     bl_progress(call, NULL);
-    if (!is_error(status) && call->common.json && !bl_json_print(call->json, call->out) &&
+    if (!is_error(call, status) && call->common.json && !bl_json_print(call->json, call->out) &&
         !ferror(call->out))
         status = bl_report(&call->message, BL_DEVICE, "out of memory writing JSON");
     if (!file.stream)
         return status;
-    if (is_error(status)) {
+    if (is_error(call, status)) {
         bl_file_discard(&file);
         return status;
     }
@@ -175,7 +179,7 @@ int main(int count, char **words) {
     ignore_broken_pipes();
     bl_call call = {.argument_count = count > 0 ? count - 1 : 0, .arguments = words + 1};
     bl_status status = run_words(&call, count, words);
-    int failed = is_error(status);
+    int failed = is_error(&call, status);
     if (failed && asks_for_json(count, words))
         print_error_json(&call, status);
     bl_message message = call.message;

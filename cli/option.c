@@ -135,8 +135,8 @@ static bl_status report_unknown(const bl_option_table *tables, const char *word,
     char name[64] = "";
     strncat(name, bare, strcspn(bare, "=") < 63 ? strcspn(bare, "=") : 63);
     const char *near = bl_nearest(name, names);
-    return bl_report(message, BL_USAGE, "unknown option '%s'%s%s%s; --help lists all", word,
-                     near ? "; did you mean '--" : "", near ? near : "", near ? "'?" : "");
+    return bl_report(message, BL_USAGE, "unknown option '%s'%s%s%s--help lists all", word,
+                     near ? "; did you mean '--" : "", near ? near : "", near ? "'? " : "; ");
 }
 
 // Reads one option, and its value from the same word or from the next.

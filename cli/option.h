@@ -2,9 +2,9 @@
 //
 // Options of the command line: one table drives the parser, the help and the tests.
 //
-// An option is `--name VALUE`, `--name=VALUE`, `-l VALUE` or `-lVALUE`; a flag has no value. Options
-// and operands mix freely, `--` ends the options, and a word that is a number (-1.5, -inf) is an
-// operand. The last of two equal options wins; a BL_OPTION_WORDS option gathers all.
+// An option is `--name VALUE`, `--name=VALUE`, `-l VALUE` or `-lVALUE`; a flag has no value.
+// Options and operands mix freely, `--` ends the options, and a word that is a number (-1.5, -inf)
+// is an operand. The last of two equal options wins; a BL_OPTION_WORDS option gathers all.
 #ifndef BL_CLI_OPTION_H
 #define BL_CLI_OPTION_H
 

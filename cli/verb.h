@@ -36,6 +36,7 @@ typedef struct bl_call {
     void *settings;    // the verb's own block
     bl_words operands; // at least verb->least, at most verb->most
     bl_isa isa;
+    int every_isa;    // --isa all
     const char *path; // of the data file or folder (-o); NULL: none
     FILE *out;        // the report: stdout, or the file of -o
     json_t *json;     // with --json: the verb's object; NULL until it is made
@@ -57,9 +58,10 @@ struct bl_verb {
     unsigned least, most; // operands
     bl_output output;
     const char *output_help;
+    int takes_every_isa;      // --isa all
     const bl_option *options; // its own; ends with an empty one
     size_t settings_size;
-    // Returns BL_OK, a verdict (1, 2), or an error with call->message filled.
+    // Returns BL_OK, a verdict (1, 2) with call->message empty, or an error with it filled.
     bl_status (*run)(bl_call *call);
 };
 
@@ -78,12 +80,16 @@ void bl_help_print(FILE *out, const bl_verb *verb);
 // Opens the call's signal by its text, for the call's instruction set.
 bl_status bl_call_open(bl_call *call, const char *text, bl_signal **signal);
 
+// With --seed, replaces the signal by one that draws from that seed. The signal stays the caller's.
+bl_status bl_call_seed_signal(bl_call *call, bl_signal **signal);
+
 // Threads to use: what --threads says, or what OpenMP gives.
 int bl_call_threads(const bl_call *call);
 
 // One line of progress, overwritten by the next, to stderr when that is a terminal and --quiet is
 // not given; NULL clears it.
-void bl_progress(const bl_call *call, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void bl_progress(const bl_call *call, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 // The word of a verdict, coloured when the report goes to a terminal and NO_COLOR is not set. The
 // result is constant text.

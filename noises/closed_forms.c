@@ -94,8 +94,8 @@ double bl_terms_share_above(const bl_terms *terms, double frequency) {
         for (int n = 0; n < BL_QUADRATURE_NODES; n++) {
             double t = half * (2 * panel + 1 + bl_quadrature_node[n]);
             double covariance = bl_terms_covariance(terms, (const double[BL_AXES]){t});
-            below += half * bl_quadrature_weight[n] * covariance *
-                     sin(2 * M_PI * frequency * t) / (M_PI * t);
+            below += half * bl_quadrature_weight[n] * covariance * sin(2 * M_PI * frequency * t) /
+                     (M_PI * t);
         }
     return 1 - 2 * below / bl_terms_variance(terms);
 }

@@ -36,9 +36,8 @@ typedef struct bl_terms {
     bl_term term[BL_TERMS_MOST];
 } bl_terms;
 
-// Variance of the lattice values: odd multiples of 2^-23 ... uniform on the 2^24 odd multiples of
-// 2^-24 in (-1, 1): (1 - 2^-48)/3.
-#define BL_VALUE_VARIANCE ((1 - 0x1p-48) / 3)
+// The variance of n equally likely values, the odd multiples of 1/n in (-1, 1): (1 - n^-2)/3.
+#define BL_VALUE_VARIANCE(n) ((1 - 1.0 / ((double)(n) * (double)(n))) / 3)
 
 // sum_c a_c k(x) k(y) k(z).
 void bl_terms_add_value(bl_terms *terms, double variance, bl_kernel kernel);
@@ -60,16 +59,17 @@ double bl_terms_share_above(const bl_terms *terms, double frequency);
 // variance lies in [0, 1]: the exact share outside, rounded up to the next hundredth of a dB.
 void bl_terms_describe(const bl_terms *terms, bl_facts *facts);
 
-// Hard bounds, and how they are proved: noises/bounds.c.
+// Hard bounds |n| <= value, in exact arithmetic, and how they are proved (noises/bounds.c). `table`
+// is the entries a unit of a tabulated kernel, 0 for the exact one.
 typedef struct bl_bound {
     double value;
     const char *proof;
 } bl_bound;
 
-bl_bound bl_bound_value(bl_kernel kernel);                 // values in (-1, 1), three axes
-bl_bound bl_bound_gradient(bl_kernel weight, int edges);   // unit vectors, or the 12 edges
-bl_bound bl_bound_hermite(void);                           // values and tangents in (-1, 1)
-bl_bound bl_bound_lattice_convolution(void);               // radial Catmull-Rom
-bl_bound bl_bound_sparse_convolution(void);                // any number of impulses a cell
+bl_bound bl_bound_value(bl_kernel kernel);               // values in (-1, 1), three axes
+bl_bound bl_bound_gradient(bl_kernel weight, int edges); // unit vectors, or the 12 edges
+bl_bound bl_bound_hermite(void);                         // values and tangents in (-1, 1)
+bl_bound bl_bound_lattice_convolution(unsigned table);
+bl_bound bl_bound_sparse_convolution(unsigned table); // any number of impulses a cell
 
 #endif

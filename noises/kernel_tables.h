@@ -8,17 +8,17 @@
 #include "noises/kernel.h"
 
 enum {
-    BL_KERNEL_ORDERS = 7,                              // derivatives 0 to 6: x times a quintic
-    BL_KERNEL_PIECES = 2,                              // at x >= 0
-    BL_CORRELATION_PIECES = 4,                         // [0, 1], ... [3, 4]
-    BL_CORRELATION_ORDERS = 2 * BL_KERNEL_ORDERS       // degree 13 at most
+    BL_KERNEL_ORDERS = 7,                        // derivatives 0 to 6: x times a quintic
+    BL_KERNEL_PIECES = 2,                        // at x >= 0
+    BL_CORRELATION_PIECES = 4,                   // [0, 1], ... [3, 4]
+    BL_CORRELATION_ORDERS = 2 * BL_KERNEL_ORDERS // degree 13 at most
 };
 
 typedef struct bl_kernel_shape {
     const char *name;
     int odd;
-    double divisor;                     // of the coefficients: they are whole numbers
-    double knot[BL_KERNEL_PIECES];      // the right end of each piece; 0 after the last
+    double divisor;                // of the coefficients: they are whole numbers
+    double knot[BL_KERNEL_PIECES]; // the right end of each piece; 0 after the last
     double coefficient[BL_KERNEL_PIECES][BL_KERNEL_ORDERS]; // of x^0, x^1, ...
 } bl_kernel_shape;
 

@@ -56,8 +56,8 @@ static double by_quadrature(bl_kernel kernel, double f) {
                 double x = left + half * (part + bl_quadrature_node[n]);
                 double value = bl_polynomial(shape->coefficient[i], BL_KERNEL_ORDERS, x);
                 double angle = 2 * M_PI * f * x;
-                sum += half * bl_quadrature_weight[n] * value *
-                       (shape->odd ? sin(angle) : cos(angle));
+                sum +=
+                    half * bl_quadrature_weight[n] * value * (shape->odd ? sin(angle) : cos(angle));
             }
         left = shape->knot[i];
     }

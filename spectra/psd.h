@@ -7,6 +7,13 @@
 // grand mean over all averages is removed first. Every average yields one profile: the power in
 // each frequency bin (a line's bin; a ring or shell of a slice or volume), and the power in the
 // corners beyond the Nyquist circle. Everything else is computed from the profiles.
+//
+// A signal with a grid (an image) is measured on its own samples: averages are segments (lines) or
+// tiles (slices) that overlap by at most half and span the whole grid; there are as many as fit,
+// and at most as many as asked for.
+//
+// Lines are transformed in double, slices and volumes in float. The same settings give the same
+// bits for any number of threads.
 #ifndef BL_SPECTRA_PSD_H
 #define BL_SPECTRA_PSD_H
 
@@ -23,16 +30,16 @@ typedef enum bl_place {
 } bl_place;
 
 typedef struct bl_psd_settings {
-    unsigned dims;   // 1 line, 2 slice, 3 volume
-    double rate;     // samples per unit; 0: from the signal's grid, or 16, 8, 4 by dims
-    size_t size;     // samples along each axis; 0: from the grid, or 2048, 512, 64 by dims
-    size_t averages; // 0: 256, 16, 8 by dims
+    unsigned dims;    // 1 line, 2 slice, 3 volume
+    double rate;      // samples per unit; 0: from the signal's grid, or 16, 8, 4 by dims
+    size_t size;      // samples along each axis; 0: from the grid, or 2048, 512, 64 by dims
+    size_t averages;  // 0: 256, 16, 8 by dims; of a grid: 256 lines at most, all tiles
     bl_window window;
-    double axis[3]; // direction of the line; normal of the slice; unused for a volume
-    bl_place place;
-    uint64_t seed; // of the places and the fresh seeds
-    double level;  // of the confidence intervals, e.g. 0.95
-    int threads;   // 0: as many as OpenMP gives
+    double axis[3];   // direction of the line; normal of the slice; unused for a volume
+    bl_place place;   // a grid has only its own place
+    uint64_t seed;    // of the places and the fresh seeds
+    double level;     // of the confidence intervals, e.g. 0.95
+    int threads;      // 0: as many as OpenMP gives
 } bl_psd_settings;
 
 typedef struct bl_psd {
@@ -44,14 +51,19 @@ typedef struct bl_psd {
                               // for a line): power = psd * measure
     double *psd;              // line: one-sided; ring, shell: mean of the two-sided density
     double *lower, *upper;    // confidence limits of psd
-    double *dof;              // degrees of freedom behind each bin's limits
+    double *dof;              // degrees of freedom behind each bin's limits; 0: no limits
     double *theory;           // expectation of psd for this window and rate, or NULL
-    double *theory_corners;   // one number, or NULL
+    double *theory_corners;   // one number: the power beyond the Nyquist circle, or NULL
     double *anisotropy_db;    // rings and shells (Ulichney 1987), NAN for one-cell rings; else NULL
     double *anisotropy_floor_db;
     double *profiles;         // [averages][count + 1] power; the last column is the corners'
     double inflation;         // mean ratio of the variance between averages to that of exponential
                               // bins: 1 for a stationary Gaussian signal
+    double correlation;       // variance of the mean of the averages, over that of as many
+                              // independent ones: above 1 where the segments of a grid overlap or
+                              // stand too near each other
+    double broadening;        // by which the window divides the number of independent bins in a
+                              // wide band
     double mean;              // removed
     bl_estimate variance;     // of the samples, over places
     double variance_theory;   // NAN if unknown
@@ -63,31 +75,50 @@ typedef struct bl_psd {
 bl_psd_settings bl_psd_default_settings(unsigned dims);
 
 // Measures. On success the caller frees the result with bl_psd_free.
-// Errors: BL_USAGE for sizes below 8 or a zero axis; BL_MISMATCH for a rate or size that does not
-// fit the signal's grid or the memory, and for values that are not finite; BL_DEVICE out of memory.
+// Errors: BL_USAGE for sizes below 8, a zero axis, or a setting out of its range; BL_MISMATCH for a
+// rate or size that does not fit the signal's grid or the memory, for more dimensions than the
+// signal has, and for values that are not finite; BL_DEVICE out of memory; BL_FAIL if Parseval's
+// equation does not hold to 1e-12 (lines) or 1e-5. Thread-safe.
 bl_status bl_psd_measure(const bl_signal *signal, const bl_psd_settings *settings, bl_psd *psd,
                          bl_message *message);
 void bl_psd_free(bl_psd *psd);
 
+// The floats between the rows of a buffer for bl_psd_of_buffer.
+size_t bl_psd_pitch(size_t size);
+
+// The radial spectrum, with its band, of one slice that the caller has sampled already: as
+// bl_psd_measure with one average, but without plane and theory. Of the settings it takes rate,
+// size, window, level and threads. `samples` has `size` rows of `size` floats, bl_psd_pitch(size)
+// apart, starts at a multiple of 64 bytes (bl_fft_buffer), and is overwritten.
+bl_status bl_psd_of_buffer(float *samples, const bl_psd_settings *settings, bl_psd *psd,
+                           bl_message *message);
+
 // A share of the variance.
 typedef struct bl_band {
-    double from, to;      // cycles per unit, to may be INFINITY
-    bl_estimate fraction; // of the variance, over averages
-    double theory;        // NAN if unknown
+    double from, to;       // cycles per unit, to may be INFINITY
+    bl_estimate fraction;  // of the variance, over averages; 0 of a signal without any
+    double theory;         // NAN if unknown
 } bl_band;
 
 // Fills fraction and theory of a band from the profiles; bins cut by an edge count in proportion.
+// The corners count where `to` takes in all of them: from sqrt(dims) times Nyquist on.
 void bl_psd_band(const bl_psd *psd, bl_band *band);
 
 // The verdict on a band limit.
 typedef struct bl_band_limit {
     double from, to, limit_db;
+    double guard;                       // cycles per unit beyond both edges that are not judged
     double leak_db, lower_db, upper_db; // share outside [from, to], dB of the variance
     size_t needed_averages;             // that would settle an inconclusive verdict; else 0
     bl_status verdict;                  // BL_OK, BL_INCONCLUSIVE or BL_FAIL
 } bl_band_limit;
 
-// One-sided limits each at the level of the settings. Fills all but from, to and limit_db.
+// One-sided limits each at the level of the settings. Fills all but from, to, limit_db and guard.
+// No leak at all is -INFINITY dB.
 void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit);
+
+// Half the width of the window's main lobe in cycles per unit: a guard of this size keeps the
+// window's own smear of power just inside an edge from being read as the signal's leak.
+double bl_psd_guard(const bl_psd *psd);
 
 #endif

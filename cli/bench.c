@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `bench`: what a sample costs, against the textbook's loop and other libraries, in one
+// run.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/bench.h"
+#include "cli/csv.h"
+#include "cli/json.h"
+#include "core/file.h"
+
+typedef struct bench_settings {
+    int check;
+} bench_settings;
+
+static const struct {
+    const char *signal, *path;
+    double ratio;
+} floors[] = {
+#define BL_FLOOR(signal, path, ratio) {signal, path, ratio},
+#include "cli/bench_floors.def"
+#undef BL_FLOOR
+};
+
+static double floor_of(const bl_bench_row *row) {
+    for (size_t i = 0; i < sizeof floors / sizeof *floors; i++)
+        if (strcmp(floors[i].signal, row->signal) == 0 && strcmp(floors[i].path, row->path) == 0)
+            return floors[i].ratio;
+    return NAN;
+}
+
+static bl_time per_sample(bl_time time, double samples) {
+    return (bl_time){time.minimum / samples, time.median / samples};
+}
+
+int bl_bench_add(bl_bench *bench, const bl_bench_row *row) {
+    bl_bench_row *rows = realloc(bench->rows, (bench->count + 1) * sizeof *rows);
+    if (!rows)
+        return 0;
+    bench->rows = rows;
+    bl_bench_row *added = &rows[bench->count++];
+    *added = *row;
+    added->candidate = per_sample(row->candidate, row->samples);
+    added->yardstick = per_sample(row->yardstick, row->samples);
+    added->ratio = row->yardstick.minimum / row->candidate.minimum;
+    added->floor = floor_of(row);
+    return 1;
+}
+
+static int is_met(const bl_bench_row *row) {
+    return row->ratio >= row->floor;
+}
+
+static void read_processor(char *name, size_t size) {
+    char line[256];
+    snprintf(name, size, "unknown");
+    FILE *info = fopen("/proc/cpuinfo", "r");
+    while (info && fgets(line, sizeof line, info)) {
+        char *colon = strchr(line, ':');
+        if (strncmp(line, "model name", 10) != 0 || !colon)
+            continue;
+        colon[strcspn(colon, "\n")] = '\0';
+        snprintf(name, size, "%s", colon + 1 + (colon[1] == ' '));
+        break;
+    }
+    if (info)
+        fclose(info);
+}
+
+static json_t *row_json(const bl_bench_row *row) {
+    json_t *object = json_object();
+    bl_json_set_text(object, "signal", row->signal);
+    bl_json_set_text(object, "path", row->path);
+    bl_json_set_text(object, "axis", row->axis);
+    bl_json_set_text(object, "isa", row->isa);
+    json_object_set_new(object, "peer", json_boolean(row->peer));
+    bl_json_set_number(object, "samples_per_cell", row->samples_per_cell);
+    bl_json_set_number(object, "samples", row->samples);
+    bl_json_set_number(object, "ns_per_sample", row->candidate.minimum);
+    bl_json_set_number(object, "ns_per_sample_median", row->candidate.median);
+    int transform = strcmp(row->path, "psd-4096") == 0;
+    bl_json_set_number(object, transform ? "transform_ns_per_sample" : "textbook_ns_per_sample",
+                       row->yardstick.minimum);
+    bl_json_set_number(
+        object, transform ? "transform_ns_per_sample_median" : "textbook_ns_per_sample_median",
+        row->yardstick.median);
+    bl_json_set_number(object, "ratio_textbook", transform ? NAN : row->ratio);
+    if (transform)
+        bl_json_set_number(object, "cost_in_transforms", 1 / row->ratio);
+    bl_json_set_number(object, "max_error", row->max_error);
+    if (transform)
+        bl_json_set_number(object, "ceiling", 1 / row->floor);
+    else
+        bl_json_set_number(object, "floor", row->floor);
+    json_object_set_new(object, "floor_met",
+                        isnan(row->floor) ? json_null() : json_boolean(is_met(row)));
+    return object;
+}
+
+static void report_json(json_t *object, const bl_bench *bench, bl_status verdict) {
+    char processor[128];
+    read_processor(processor, sizeof processor);
+    bl_json_set_text(object, "processor", processor);
+    bl_json_set_text(object, "compiler", __VERSION__);
+    bl_json_set_count(object, "threads", 1);
+    bl_json_set_count(object, "threads_of_psd", (uint64_t)bl_call_threads(bench->call));
+    bl_json_set_count(object, "rounds", (uint64_t)bench->rounds);
+    bl_json_set_text(object, "clock", "CLOCK_MONOTONIC; pieces by turns; the least of the rounds");
+    json_t *rows = json_array();
+    for (size_t i = 0; i < bench->count; i++)
+        json_array_append_new(rows, row_json(&bench->rows[i]));
+    json_object_set_new(object, "rows", rows);
+    bl_json_set_text(object, "verdict", bl_status_word(verdict));
+}
+
+static void print_number(FILE *out, const char *format, int width, double number) {
+    if (isfinite(number))
+        fprintf(out, format, width, number);
+    else
+        fprintf(out, "%*s", width, "-");
+}
+
+static void print_row(bl_call *call, const bl_bench_row *row) {
+    FILE *out = call->out;
+    fprintf(out, "%-22s %-9s %-2s %-9s", row->signal, row->path, row->axis ? row->axis : "-",
+            row->isa);
+    print_number(out, "%*.4g", 9, row->samples_per_cell);
+    print_number(out, "%*.3f", 9, row->candidate.minimum);
+    print_number(out, "%*.3f", 9, row->candidate.median);
+    print_number(out, "%*.3f", 10, row->yardstick.minimum);
+    print_number(out, "%*.2f", 8, row->ratio);
+    print_number(out, "%*.1e", 10, row->max_error);
+    if (!isnan(row->floor))
+        fprintf(out, "  >= %.3g %s", row->floor,
+                bl_call_verdict(call, is_met(row) ? BL_OK : BL_FAIL));
+    fputc('\n', out);
+}
+
+static void report_text(bl_call *call, const bl_bench *bench) {
+    char processor[128];
+    read_processor(processor, sizeof processor);
+    fprintf(call->out,
+            "%s; compiler %s\none thread (psd: %d); least and median of %d rounds by turns; error "
+            "against the double\nreference around 0, 1e6 and 1e9; yardstick: the textbook's loop "
+            "at the same places (psd: the\nbare transform)\n\n",
+            processor, __VERSION__, bl_call_threads(call), bench->rounds);
+    fprintf(call->out, "%-22s %-9s %-2s %-9s%9s%9s%9s%10s%8s%10s\n", "signal", "path", "ax", "isa",
+            "per cell", "ns", "median", "yardstick", "ratio", "error");
+    for (size_t i = 0; i < bench->count; i++)
+        print_row(call, &bench->rows[i]);
+}
+
+static bl_status write_csv(const bl_call *call, const bl_bench *bench, bl_message *message) {
+    bl_file file;
+    char processor[128];
+    bl_status status = bl_file_create(call->path, &file, message);
+    if (status != BL_OK)
+        return status;
+    read_processor(processor, sizeof processor);
+    bl_csv_comment(file.stream, "bandlimit bench", BL_VERSION);
+    bl_csv_comment(file.stream, "processor", processor);
+    bl_csv_comment(file.stream, "compiler", __VERSION__);
+    fputs(
+        "signal,path,axis,isa,samples_per_cell,ns_per_sample,ns_per_sample_median,"
+        "yardstick_ns_per_sample,ratio,max_error,floor\n",
+        file.stream);
+    for (size_t i = 0; i < bench->count; i++) {
+        const bl_bench_row *row = &bench->rows[i];
+        const double numbers[] = {row->samples_per_cell,
+                                  row->candidate.minimum,
+                                  row->candidate.median,
+                                  row->yardstick.minimum,
+                                  row->ratio,
+                                  row->max_error};
+        bl_csv_word(file.stream, row->signal, ',');
+        bl_csv_word(file.stream, row->path, ',');
+        bl_csv_word(file.stream, row->axis ? row->axis : "", ',');
+        bl_csv_word(file.stream, row->isa, ',');
+        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
+            bl_csv_number(file.stream, numbers[k], ',');
+        bl_csv_number(file.stream, row->floor, '\n');
+    }
+    return bl_file_commit(&file, message);
+}
+
+// The signals named, or the whole registry, with the instruction sets asked for.
+static bl_status time_noises(bl_bench *bench) {
+    bl_call *call = bench->call;
+    size_t named = call->operands.count;
+    bl_status status = BL_OK;
+    for (size_t i = 0; i < (named ? named : bl_noise_count()); i++)
+        for (int isa = 0; isa < BL_ISA_COUNT && status == BL_OK; isa++) {
+            bl_isa only = call->isa == BL_ISA_BEST ? bl_isa_best() : call->isa;
+            if (call->every_isa ? !bl_isa_runs_here((bl_isa)isa) : isa != (int)only)
+                continue;
+            const char *text =
+                named ? call->operands.words[i] : bl_noise_at(i, BL_ISA_BASELINE)->name;
+            status = bl_bench_noise(bench, text, (bl_isa)isa);
+        }
+    return status;
+}
+
+static bl_status run_bench(bl_call *call) {
+    const bench_settings *settings = call->settings;
+    bl_bench bench = {.call = call, .rounds = 9, .turn_seconds = 2e-3};
+    if (call->common.quick)
+        bench = (bl_bench){.call = call, .rounds = 3, .turn_seconds = 2e-4};
+    if (call->common.full)
+        bench = (bl_bench){.call = call, .rounds = 31, .turn_seconds = 5e-3};
+    bl_status status = time_noises(&bench), verdict = BL_OK;
+    if (status == BL_OK)
+        status = bl_bench_peers(&bench);
+    if (status == BL_OK && call->operands.count == 0)
+        status = bl_bench_psd(&bench);
+    bl_progress(call, NULL);
+    for (size_t i = 0; i < bench.count; i++)
+        if (!isnan(bench.rows[i].floor) && !is_met(&bench.rows[i]) && settings->check)
+            verdict = BL_FAIL;
+    if (status == BL_OK && bl_json_start(call))
+        report_json(call->json, &bench, verdict);
+    else if (status == BL_OK && !call->common.quiet)
+        report_text(call, &bench);
+    if (status == BL_OK && call->path)
+        status = write_csv(call, &bench, &call->message);
+    free(bench.rows);
+    return status == BL_OK ? verdict : status;
+}
+
+static const bl_option options[] = {{.name = "check",
+                                     .kind = BL_OPTION_FLAG,
+                                     .offset = offsetof(bench_settings, check),
+                                     .help = "exit with 2 if a ratio is below its floor"},
+                                    {0}};
+
+const bl_verb bl_verb_bench = {
+    .name = "bench",
+    .operands = "[NOISE...]",
+    .summary = "throughput, ns a sample, against what is installed",
+    .text =
+        "Times rows of samples along each axis (20 and 2 samples a cell) and scattered points, "
+        "by turns with the plain loop of the textbook at the same places, then the other "
+        "libraries that are installed (stb_perlin, libnoise), then a radial spectrum of 4096 x "
+        "4096 samples against the bare transform. With words, those noises alone and no "
+        "spectrum.",
+    .most = 4096,
+    .output = BL_OUTPUT_DATA,
+    .output_help = "write the rows as CSV to PATH (as the JSON object, if PATH ends in .json)",
+    .takes_every_isa = 1,
+    .options = options,
+    .settings_size = sizeof(bench_settings),
+    .run = run_bench,
+};

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+//
+// A fair clock: two pieces of work timed by turns, each repeated until the clock can be trusted.
+#ifndef BL_CLI_BENCH_CLOCK_H
+#define BL_CLI_BENCH_CLOCK_H
+
+#include <stddef.h>
+
+// A piece of work; `run` does all of it once. With `prepare`, that is called before every run and
+// not timed.
+typedef struct bl_work {
+    void (*run)(void *user);
+    void *user;
+    void (*prepare)(void *user);
+} bl_work;
+
+typedef struct bl_time {
+    double minimum, median; // nanoseconds a run
+} bl_time;
+
+// Times `count` (at most 4) pieces by turns, A B A B ..., `rounds` turns each; a turn repeats its
+// piece for at least `turn_seconds` and a thousand ticks of the clock. Each piece runs once before,
+// unmeasured. Single-threaded itself.
+void bl_time_by_turns(const bl_work *works, size_t count, int rounds, double turn_seconds,
+                      bl_time *times);
+
+#endif

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `check`: does a signal keep to its band? The exit status is the verdict.
+#include <math.h>
+
+#include "cli/json.h"
+#include "cli/spectral.h"
+#include "cli/verb.h"
+#include "cli/words.h"
+
+typedef struct check_settings {
+    bl_spectral spectral;
+    const char *band;
+    double leak_db, guard;
+} check_settings;
+
+static void print_db(FILE *out, const char *name, double db) {
+    fprintf(out, "%-14s ", name);
+    if (isfinite(db))
+        fprintf(out, "%.2f dB of the variance\n", db);
+    else
+        fprintf(out, "%s dB of the variance\n", db < 0 ? "-inf" : "not known");
+}
+
+static void report_json(json_t *object, const bl_signal *signal, const bl_psd *psd,
+                        const bl_band_limit *limit) {
+    bl_json_set_text(object, "verdict", bl_status_word(limit->verdict));
+    bl_json_set_count(object, "exit_status", (uint64_t)limit->verdict);
+    json_t *band = json_array();
+    json_array_append_new(band, bl_json_number(limit->from));
+    json_array_append_new(band, bl_json_number(limit->to));
+    json_object_set_new(object, "band", band);
+    bl_json_set_number(object, "guard_cycles_per_unit", limit->guard);
+    bl_json_set_number(object, "leak_db", limit->leak_db);
+    bl_json_set_number(object, "lower_db", limit->lower_db);
+    bl_json_set_number(object, "upper_db", limit->upper_db);
+    bl_json_set_number(object, "limit_db", limit->limit_db);
+    bl_json_set_text(object, "db_reference",
+                     "total variance; null stands for -inf (no leak at all)");
+    bl_json_set_count(object, "needed_averages", limit->needed_averages);
+    bl_spectral_json(object, signal, psd);
+}
+
+static void report_text(bl_call *call, const bl_signal *signal, const bl_psd *psd,
+                        const bl_band_limit *limit) {
+    FILE *out = call->out;
+    bl_spectral_print(out, signal, psd);
+    fprintf(out, "band           %g : %g cycles per unit, guard %.3g\n\n", limit->from, limit->to,
+            limit->guard);
+    print_db(out, "leak", limit->leak_db);
+    print_db(out, "lower limit", limit->lower_db);
+    print_db(out, "upper limit", limit->upper_db);
+    print_db(out, "allowed", limit->limit_db);
+    fprintf(out, "verdict        %s\n", bl_call_verdict(call, limit->verdict));
+    if (limit->verdict == BL_INCONCLUSIVE && limit->needed_averages)
+        fprintf(out, "about %zu averages would settle it: --average %zu\n", limit->needed_averages,
+                limit->needed_averages);
+}
+
+static bl_status run_check(bl_call *call) {
+    const check_settings *settings = call->settings;
+    bl_band_limit limit = {.limit_db = settings->leak_db};
+    bl_signal *signal;
+    bl_psd psd;
+    bl_status status =
+        bl_read_range("band", settings->band, 1, &limit.from, &limit.to, &call->message);
+    if (status == BL_OK && limit.from < 0)
+        status = bl_report(&call->message, BL_USAGE, "--band %s: frequencies start at 0",
+                           settings->band);
+    if (status == BL_OK)
+        status = bl_call_open(call, call->operands.words[0], &signal);
+    if (status != BL_OK)
+        return status;
+    status = bl_spectral_measure(call, &settings->spectral, signal, &psd);
+    if (status == BL_OK) {
+        limit.guard = settings->guard >= 0 ? settings->guard : bl_psd_guard(&psd);
+        bl_psd_band_limit(&psd, &limit);
+        if (bl_json_start(call))
+            report_json(call->json, signal, &psd, &limit);
+        else if (!call->common.quiet)
+            report_text(call, signal, &psd, &limit);
+        if (call->path)
+            status = bl_spectral_csv(call->path, signal, &psd, &call->message);
+        bl_psd_free(&psd);
+    }
+    bl_signal_free(signal);
+    if (status != BL_OK)
+        return status;
+    call->message.text[0] = '\0';
+    return limit.verdict;
+}
+
+static const bl_option options[] = {
+    {.name = "band",
+     .kind = BL_OPTION_WORD,
+     .offset = offsetof(check_settings, band),
+     .value = "A:B",
+     .fallback = "0:1",
+     .help = "the band claimed, cycles per unit; B may be inf"},
+    {.name = "leak",
+     .kind = BL_OPTION_REAL,
+     .offset = offsetof(check_settings, leak_db),
+     .value = "DB",
+     .fallback = "-30",
+     .minimum = -300,
+     .maximum = 0,
+     .help = "share of the variance allowed outside of the band, dB of the variance"},
+    {.name = "guard",
+     .kind = BL_OPTION_REAL,
+     .offset = offsetof(check_settings, guard),
+     .value = "G",
+     .fallback = "-1",
+     .minimum = -1,
+     .maximum = 1e6,
+     .help = "cycles per unit beyond both edges that are not judged; -1: half the main lobe of the "
+             "window, which smears power from just inside the edge"},
+    BL_SPECTRAL_OPTIONS(check_settings),
+    {0}};
+
+const bl_verb bl_verb_check = {
+    .name = "check",
+    .operands = "SIGNAL",
+    .summary = "band-limit verdict: does the signal keep to its band",
+    .text =
+        "Measures the share of the variance outside of the band. Pass (exit status 0): its "
+        "upper confidence limit is below the leak allowed; fail (2): its lower limit is above; "
+        "inconclusive (1): the limits straddle it, and the averages needed are told.",
+    .least = 1,
+    .most = 1,
+    .output = BL_OUTPUT_DATA,
+    .output_help = "write the spectrum as CSV to PATH (as the JSON object, if PATH ends in .json)",
+    .options = options,
+    .settings_size = sizeof(check_settings),
+    .run = run_check,
+};

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `render`: an image of a slice.
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "cli/json.h"
+#include "cli/verb.h"
+#include "cli/words.h"
+#include "reports/image.h"
+#include "spectra/memory.h"
+#include "spectra/theory.h"
+
+typedef struct render_settings {
+    uint64_t width, height, bits;
+    double scale;
+    const char *at, *normal, *range;
+} render_settings;
+
+// Where the pixels stand: pixel (i, j) is at corner + i*right + j*down.
+typedef struct slice_view {
+    size_t width, height;
+    double spacing;
+    double centre[BL_AXES], normal[3];
+    double corner[BL_AXES], right[BL_AXES], down[BL_AXES];
+    double black, white;
+} slice_view;
+
+static int is_png(const char *path) {
+    size_t length = strlen(path);
+    return length > 4 && strcasecmp(path + length - 4, ".png") == 0;
+}
+
+// Refuses an ending that no writer knows before anything is computed.
+static bl_status check_ending(const char *path, bl_message *message) {
+    static const char *const endings[] = {".exr", ".png", ".tif", ".tiff"};
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
+        size_t length = strlen(path), tail = strlen(endings[i]);
+        if (length > tail && strcasecmp(path + length - tail, endings[i]) == 0)
+            return BL_OK;
+    }
+    return bl_report(message, BL_USAGE,
+                     "-o %s: the ending names the format; use .exr, .png, .tif or .tiff", path);
+}
+
+// The defaults of an image are its own pixels; of a noise, 512 x 512 pixels over 16 cells.
+static void settle_size(const render_settings *settings, const bl_signal *signal,
+                        slice_view *view) {
+    const bl_extent *extent = &signal->extent;
+    size_t width = settings->width, height = settings->height;
+    int sampled = extent->size[0] && extent->size[1];
+    view->width = width ? width : height ? height : sampled ? extent->size[0] : 512;
+    view->height = height ? height : width ? width : sampled ? extent->size[1] : 512;
+    double across = settings->scale > 0 ? settings->scale
+                    : sampled           ? (double)extent->size[0] * extent->spacing[0]
+                                        : 16;
+    view->spacing = across / (double)view->width;
+    if (sampled)
+        for (int a = 0; a < 2; a++)
+            view->centre[a] = 0.5 * ((double)extent->size[a] - 1) * extent->spacing[a];
+}
+
+// Lays the pixels out, row 0 at the top. An image counts its own rows downwards.
+static bl_status settle_plane(const bl_signal *signal, slice_view *view, bl_message *message) {
+    double directions[3][BL_AXES];
+    if (!bl_directions(2, view->normal, directions))
+        return bl_report(message, BL_USAGE, "--normal: not a direction");
+    double upwards = signal->extent.size[1] ? -1 : 1;
+    double left = 0.5 * ((double)view->width - 1), top = 0.5 * ((double)view->height - 1);
+    for (int a = 0; a < BL_AXES; a++) {
+        view->right[a] = view->spacing * directions[0][a];
+        view->down[a] = -upwards * view->spacing * directions[1][a];
+        view->corner[a] = view->centre[a] - left * view->right[a] - top * view->down[a];
+    }
+    return BL_OK;
+}
+
+static bl_status settle_view(bl_call *call, const bl_signal *signal, slice_view *view) {
+    const render_settings *settings = call->settings;
+    bl_status status = BL_OK;
+    *view = (slice_view){.normal = {0, 0, 1}, .black = -1, .white = 1};
+    settle_size(settings, signal, view);
+    if (settings->at)
+        status = bl_read_list("at", settings->at, 1, BL_AXES, bl_signal_far(signal), view->centre,
+                              &call->message);
+    if (status == BL_OK && settings->normal)
+        status = bl_read_axis("normal", settings->normal, view->normal, &call->message);
+    if (status == BL_OK && settings->range)
+        status =
+            bl_read_range("range", settings->range, 0, &view->black, &view->white, &call->message);
+    return status == BL_OK ? settle_plane(signal, view, &call->message) : status;
+}
+
+static void fill(const bl_signal *signal, const slice_view *view, int threads, float *values) {
+#pragma omp parallel for schedule(static) num_threads(threads)
+    for (size_t j = 0; j < view->height; j++) {
+        double start[BL_AXES];
+        for (int a = 0; a < BL_AXES; a++)
+            start[a] = view->corner[a] + (double)j * view->down[a];
+        bl_signal_row(signal, start, view->right, view->width, values + j * view->width);
+    }
+}
+
+typedef struct image_outcome {
+    double minimum, maximum;
+    size_t finite;  // values
+    size_t clipped; // outside of the range
+} image_outcome;
+
+static image_outcome look(const float *values, size_t count, const slice_view *view) {
+    image_outcome outcome = {.minimum = INFINITY, .maximum = -INFINITY};
+    for (size_t i = 0; i < count; i++) {
+        double value = (double)values[i];
+        if (!isfinite(value))
+            continue;
+        outcome.finite++;
+        outcome.minimum = fmin(outcome.minimum, value);
+        outcome.maximum = fmax(outcome.maximum, value);
+        outcome.clipped += value < view->black || value > view->white;
+    }
+    return outcome;
+}
+
+static void report(bl_call *call, const bl_signal *signal, const slice_view *view,
+                   const image_outcome *outcome) {
+    size_t count = view->width * view->height;
+    json_t *object = bl_json_start(call);
+    if (object) {
+        bl_json_set_text(object, "signal", signal->text);
+        bl_json_set_text(object, "path", call->path);
+        bl_json_set_count(object, "width_pixels", view->width);
+        bl_json_set_count(object, "height_pixels", view->height);
+        bl_json_set_number(object, "spacing_units", view->spacing);
+        bl_json_set_numbers(object, "centre", view->centre, 3);
+        bl_json_set_numbers(object, "normal", view->normal, 3);
+        bl_json_set_number(object, "min", outcome->minimum);
+        bl_json_set_number(object, "max", outcome->maximum);
+        bl_json_set_count(object, "not_finite", count - outcome->finite);
+        if (is_png(call->path)) {
+            double range[2] = {view->black, view->white};
+            bl_json_set_numbers(object, "range", range, 2);
+            bl_json_set_count(object, "clipped", outcome->clipped);
+        }
+        return;
+    }
+    if (call->common.quiet)
+        return;
+    fprintf(call->out, "%s: %zu x %zu pixels, %g units between them, values %.6g to %.6g\n",
+            call->path, view->width, view->height, view->spacing, outcome->minimum,
+            outcome->maximum);
+    if (is_png(call->path))
+        fprintf(call->out, "black is %g, white is %g; %zu values were clipped\n", view->black,
+                view->white, outcome->clipped);
+    if (outcome->finite < count)
+        fprintf(call->out, "%zu pixels have no value\n", count - outcome->finite);
+}
+
+static bl_status write_image(bl_call *call, const bl_signal *signal, const slice_view *view,
+                             const float *values) {
+    char centre[128], normal[128];
+    snprintf(centre, sizeof centre, "%.17g %.17g %.17g", view->centre[0], view->centre[1],
+             view->centre[2]);
+    snprintf(normal, sizeof normal, "%.17g %.17g %.17g", view->normal[0], view->normal[1],
+             view->normal[2]);
+    const bl_attribute attributes[] = {{"bandlimit:version", BL_VERSION},
+                                       {"bandlimit:signal", signal->text},
+                                       {"bandlimit:centre", centre},
+                                       {"bandlimit:normal", normal}};
+    const render_settings *settings = call->settings;
+    const bl_image image = {.width = view->width,
+                            .height = view->height,
+                            .channels = 1,
+                            .values = values,
+                            .spacing = view->spacing,
+                            .black = view->black,
+                            .white = view->white,
+                            .bits = (unsigned)settings->bits,
+                            .attributes = attributes,
+                            .attribute_count = sizeof attributes / sizeof *attributes};
+    return bl_image_write(call->path, &image, &call->message);
+}
+
+static bl_status render(bl_call *call, const bl_signal *signal) {
+    slice_view view;
+    bl_status status = settle_view(call, signal, &view);
+    if (status != BL_OK)
+        return status;
+    // The writer holds a second copy at most; 2^30 * 2^30 * 8 fits in a double and not in memory.
+    double bytes = 8.0 * (double)view.width * (double)view.height;
+    status = bl_memory_check(bytes, "the image", &call->message);
+    if (status != BL_OK)
+        return status;
+    float *values = malloc(view.width * view.height * sizeof *values);
+    if (!values)
+        return bl_report(&call->message, BL_DEVICE, "out of memory: the image takes %.0f bytes",
+                         bytes);
+    bl_progress(call, "rendering %s ...", signal->text);
+    fill(signal, &view, bl_call_threads(call), values);
+    status = write_image(call, signal, &view, values);
+    if (status == BL_OK) {
+        image_outcome outcome = look(values, view.width * view.height, &view);
+        report(call, signal, &view, &outcome);
+    }
+    free(values);
+    return status;
+}
+
+static bl_status run_render(bl_call *call) {
+    if (!call->path)
+        return bl_report(&call->message, BL_USAGE, "render needs -o FILE (.exr, .png or .tif)");
+    bl_signal *signal;
+    bl_status status = check_ending(call->path, &call->message);
+    if (status == BL_OK)
+        status = bl_call_open(call, call->operands.words[0], &signal);
+    if (status != BL_OK)
+        return status;
+    status = bl_call_seed_signal(call, &signal);
+    if (status == BL_OK)
+        status = render(call, signal);
+    bl_signal_free(signal);
+    return status;
+}
+
+#define AT(member) offsetof(render_settings, member)
+static const bl_option options[] = {
+    {.name = "width",
+     .kind = BL_OPTION_UNSIGNED,
+     .offset = AT(width),
+     .value = "N",
+     .minimum = 1,
+     .maximum = 1 << 30,
+     .help = "pixels across (default: the height, the image's own, or 512)"},
+    {.name = "height",
+     .kind = BL_OPTION_UNSIGNED,
+     .offset = AT(height),
+     .value = "N",
+     .minimum = 1,
+     .maximum = 1 << 30,
+     .help = "pixels down (default: the width, the image's own, or 512)"},
+    {.name = "scale",
+     .kind = BL_OPTION_REAL,
+     .offset = AT(scale),
+     .value = "CELLS",
+     .minimum = 1e-12,
+     .maximum = 1e12,
+     .help = "units across the width (default: 16, or the whole of an image)"},
+    {.name = "at",
+     .kind = BL_OPTION_WORD,
+     .offset = AT(at),
+     .value = "X,Y,Z",
+     .help = "the point at the centre (default: 0,0,0, or the middle of an image)"},
+    {.name = "normal",
+     .kind = BL_OPTION_WORD,
+     .offset = AT(normal),
+     .value = "AXIS",
+     .help = "normal of the slice: x, y, z or DX,DY,DZ (default: z)"},
+    {.name = "range",
+     .kind = BL_OPTION_WORD,
+     .offset = AT(range),
+     .value = "LO:HI",
+     .help = "PNG: the values of black and white (default: -1:1)"},
+    {.name = "bits",
+     .kind = BL_OPTION_UNSIGNED,
+     .offset = AT(bits),
+     .value = "8|16",
+     .fallback = "8",
+     .minimum = 8,
+     .maximum = 16,
+     .help = "PNG: bits a pixel"},
+    {0}};
+#undef AT
+
+const bl_verb bl_verb_render = {
+    .name = "render",
+    .operands = "SIGNAL -o FILE",
+    .summary = "an image of a slice (EXR, PNG, TIFF by the name)",
+    .text =
+        "EXR and TIFF hold the values as floats; PNG holds codes proportional to the value "
+        "within the range. The settings travel as attributes of the file.",
+    .least = 1,
+    .most = 1,
+    .output = BL_OUTPUT_FOLDER,
+    .output_help = "the image; its ending names the format: .exr, .png, .tif or .tiff",
+    .options = options,
+    .settings_size = sizeof(render_settings),
+    .run = run_render,
+};

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `reproduce`: regenerates figures and says which claims held.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/json.h"
+#include "cli/verb.h"
+#include "reports/experiment.h"
+#include "reports/reproduce.h"
+
+typedef struct reproduce_options {
+    const char *format;
+} reproduce_options;
+
+static void show_progress(void *user, size_t done, size_t total, const char *figure,
+                          const char *step) {
+    bl_progress(user, "%zu of %zu: %s: %s", done + 1, total, figure, step ? step : "");
+}
+
+// The words of the call after the verb, for the page; the caller frees it.
+static char *joined_arguments(const bl_call *call) {
+    size_t size = 1;
+    for (int i = 0; i < call->argument_count; i++)
+        size += strlen(call->arguments[i]) + 1;
+    char *text = calloc(1, size);
+    for (int i = 0; text && i < call->argument_count; i++) {
+        strcat(text, i ? " " : "");
+        strcat(text, call->arguments[i]);
+    }
+    return text;
+}
+
+static json_t *claim_json(const bl_claim *claim) {
+    json_t *object = json_object();
+    bl_json_set_text(object, "sentence", claim->sentence);
+    bl_json_set_text(object, "source", claim->source);
+    bl_json_set_text(object, "reading", claim->reading);
+    bl_json_set_text(object, "unit", claim->unit);
+    bl_json_set_number(object, "expected_lower", claim->expected_lower);
+    bl_json_set_number(object, "expected_upper", claim->expected_upper);
+    bl_json_set_estimate(object, "measured", &claim->measured);
+    bl_json_set_text(object, "verdict", bl_verdict_word(claim->verdict));
+    return object;
+}
+
+static json_t *verdicts_json(const size_t *verdicts) {
+    json_t *object = json_object();
+    for (int v = 0; v <= BL_NOT_RUN; v++)
+        bl_json_set_count(object, bl_verdict_word((bl_verdict)v), verdicts[v]);
+    return object;
+}
+
+static json_t *figure_json(const bl_figure_result *result) {
+    json_t *object = json_object(), *files = json_array(), *claims = json_array();
+    bl_json_set_text(object, "name", result->figure->name);
+    bl_json_set_text(object, "paper", result->figure->paper);
+    bl_json_set_text(object, "folder", result->folder);
+    for (size_t i = 0; i < result->file_count; i++)
+        json_array_append_new(files, bl_json_text(result->files[i]));
+    for (size_t i = 0; i < result->claim_count; i++)
+        json_array_append_new(claims, claim_json(&result->claims[i]));
+    json_object_set_new(object, "files", files);
+    json_object_set_new(object, "claims", claims);
+    json_object_set_new(object, "verdicts", verdicts_json(result->verdicts));
+    bl_json_set_number(object, "seconds", result->seconds);
+    return object;
+}
+
+static void report_json(json_t *object, const bl_reproduction *result) {
+    json_t *figures = json_array();
+    bl_json_set_text(object, "verdict", bl_status_word(result->verdict));
+    bl_json_set_count(object, "exit_status", (uint64_t)result->verdict);
+    bl_json_set_text(object, "page", result->page);
+    json_object_set_new(object, "verdicts", verdicts_json(result->verdicts));
+    for (size_t i = 0; i < result->count; i++)
+        json_array_append_new(figures, figure_json(&result->figures[i]));
+    json_object_set_new(object, "figures", figures);
+    bl_json_set_number(object, "seconds", result->seconds);
+}
+
+static void print_claim(FILE *out, const bl_claim *claim) {
+    fprintf(out, "  %-10s %s (%s)\n", bl_verdict_word(claim->verdict), claim->sentence,
+            claim->source);
+    if (claim->verdict == BL_NOT_RUN)
+        return;
+    fprintf(out, "  %-10s measured %.4g [%.4g, %.4g], expected ", "", claim->measured.value,
+            claim->measured.lower, claim->measured.upper);
+    if (isfinite(claim->expected_lower) && isfinite(claim->expected_upper))
+        fprintf(out, "%.4g to %.4g", claim->expected_lower, claim->expected_upper);
+    else if (isfinite(claim->expected_lower))
+        fprintf(out, "at least %.4g", claim->expected_lower);
+    else
+        fprintf(out, "at most %.4g", claim->expected_upper);
+    fprintf(out, "%s%s\n", claim->unit && *claim->unit ? " " : "", claim->unit ? claim->unit : "");
+}
+
+static void report_text(bl_call *call, const bl_reproduction *result) {
+    FILE *out = call->out;
+    for (size_t f = 0; f < result->count; f++) {
+        const bl_figure_result *figure = &result->figures[f];
+        fprintf(out, "%s: %s (%s), %.1f s\n", figure->figure->name, figure->figure->title,
+                figure->figure->paper, figure->seconds);
+        for (size_t i = 0; i < figure->claim_count; i++)
+            print_claim(out, &figure->claims[i]);
+        fputc('\n', out);
+    }
+    fputs("claims:", out);
+    for (int v = 0; v <= BL_NOT_RUN; v++)
+        if (result->verdicts[v])
+            fprintf(out, " %zu %s;", result->verdicts[v], bl_verdict_word((bl_verdict)v));
+    fprintf(out, " verdict %s\npage: %s\n", bl_call_verdict(call, result->verdict), result->page);
+}
+
+static bl_status run_reproduce(bl_call *call) {
+    const reproduce_options *options = call->settings;
+    bl_reproduce_settings settings = bl_reproduce_default_settings();
+    char *arguments = joined_arguments(call);
+    settings.arguments = arguments;
+    settings.format = options->format;
+    settings.size = call->common.quick ? BL_QUICK : call->common.full ? BL_FULL : BL_NORMAL;
+    settings.isa = call->isa;
+    settings.threads = bl_call_threads(call);
+    settings.progress = show_progress;
+    settings.user = call;
+    if (call->path)
+        settings.folder = call->path;
+    if (call->common.seed_word)
+        settings.seed = call->common.seed;
+    bl_reproduction result;
+    bl_status status = bl_reproduce(call->operands.words, call->operands.count, &settings, &result,
+                                    &call->message);
+    free(arguments);
+    if (status != BL_OK)
+        return status;
+    bl_progress(call, NULL);
+    status = result.verdict;
+    call->message.text[0] = '\0';
+    if (bl_json_start(call))
+        report_json(call->json, &result);
+    else if (!call->common.quiet)
+        report_text(call, &result);
+    bl_reproduction_free(&result);
+    return status;
+}
+
+static const char *const formats[] = {"svg", "pdf", NULL};
+
+static const bl_option options[] = {{.name = "format",
+                                     .kind = BL_OPTION_CHOICE,
+                                     .offset = offsetof(reproduce_options, format),
+                                     .value = "FORMAT",
+                                     .fallback = "svg",
+                                     .choices = formats,
+                                     .help = "pdf leaves a PDF of every plot beside the SVG"},
+                                    {0}};
+
+const bl_verb bl_verb_reproduce = {
+    .name = "reproduce",
+    .operands = "[FIGURE...]",
+    .summary = "regenerate figures: data, plot, image, claims, HTML",
+    .text =
+        "Without words, all figures. Each gets a folder of its own; index.html shows them. A "
+        "claim of a paper that turns out false is a finding and does not fail the run; a claim "
+        "of our own that fails does (exit status 2). --quick takes seconds, --full a night.",
+    .most = 4096,
+    .output = BL_OUTPUT_FOLDER,
+    .output_help = "the folder to write into (default: out)",
+    .options = options,
+    .settings_size = sizeof(reproduce_options),
+    .run = run_reproduce,
+};

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `show`: what a noise, a figure or a file is, with its parameters and what it claims.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/json.h"
+#include "cli/verb.h"
+#include "core/grammar.h"
+#include "reports/experiment.h"
+#include "reports/source.h"
+
+static const char *const kinds[] = {"seed", "integer", "real", "choice"};
+
+static const char *continuity_word(int continuity) {
+    static const char *const words[] = {"discontinuous", "C0", "C1", "C2", "C3", "C4"};
+    int last = (int)(sizeof words / sizeof *words) - 1;
+    return words[continuity < -1 ? 0 : continuity + 1 > last ? last : continuity + 1];
+}
+
+static json_t *parameters_json(const bl_parameter *parameter) {
+    json_t *list = json_array();
+    for (; parameter->key; parameter++) {
+        json_t *object = json_object();
+        bl_json_set_text(object, "key", parameter->key);
+        bl_json_set_text(object, "kind", kinds[parameter->kind]);
+        bl_json_set_text(object, "default", parameter->fallback);
+        bl_json_set_text(object, "unit", parameter->unit ? parameter->unit : "");
+        if (parameter->kind == BL_INTEGER || parameter->kind == BL_REAL) {
+            bl_json_set_number(object, "minimum", parameter->minimum);
+            bl_json_set_number(object, "maximum", parameter->maximum);
+        }
+        if (parameter->kind == BL_CHOICE) {
+            json_t *choices = json_array();
+            for (size_t i = 0; parameter->choices[i]; i++)
+                json_array_append_new(choices, bl_json_text(parameter->choices[i]));
+            json_object_set_new(object, "choices", choices);
+        }
+        bl_json_set_text(object, "help", parameter->help);
+        json_array_append_new(list, object);
+    }
+    return list;
+}
+
+static void range_text(const bl_parameter *parameter, char *text, size_t size) {
+    size_t used = 0;
+    *text = '\0';
+    if (parameter->kind == BL_SEED)
+        snprintf(text, size, "0 to 2^64-1");
+    else if (parameter->kind != BL_CHOICE)
+        snprintf(text, size, "%.10g to %.10g", parameter->minimum, parameter->maximum);
+    else
+        for (size_t i = 0; parameter->choices[i] && used < size; i++)
+            used += (size_t)snprintf(text + used, size - used, "%s%s", i ? ", " : "",
+                                     parameter->choices[i]);
+}
+
+static void print_parameters(FILE *out, const bl_parameter *parameter) {
+    fputs("\nparameters\n", out);
+    for (; parameter->key; parameter++) {
+        char range[256];
+        range_text(parameter, range, sizeof range);
+        fprintf(out, "  %-12s %s\n  %-12s %s%s%s; default %s\n", parameter->key, parameter->help,
+                "", range, parameter->unit && *parameter->unit ? " " : "",
+                parameter->unit ? parameter->unit : "", parameter->fallback);
+    }
+}
+
+static void facts_json(json_t *object, const bl_signal *signal) {
+    const bl_facts *facts = &signal->facts;
+    double bound[2] = {facts->lower, facts->upper}, band[2] = {facts->band_from, facts->band_to};
+    json_t *list = json_object();
+    bl_json_set_numbers(list, "bound", isfinite(bound[0]) && isfinite(bound[1]) ? bound : NULL, 2);
+    bl_json_set_text(list, "bound_proof", facts->bound_proof);
+    bl_json_set_number(list, "mean", facts->mean);
+    bl_json_set_number(list, "variance", facts->variance);
+    bl_json_set_numbers(list, "band_cycles_per_unit", isfinite(band[0]) ? band : NULL, 2);
+    bl_json_set_number(list, "leak_db", facts->leak_db);
+    bl_json_set_text(list, "continuity", continuity_word(facts->continuity));
+    bl_json_set_number(list, "period", facts->period);
+    bl_json_set_number(list, "far", facts->far);
+    json_object_set_new(list, "closed_form", json_boolean(bl_signal_has_closed_form(signal)));
+    json_object_set_new(object, "facts", list);
+}
+
+static void print_fact(FILE *out, const char *name, double number, const char *unit) {
+    if (isnan(number))
+        fprintf(out, "  %-12s not stated\n", name);
+    else
+        fprintf(out, "  %-12s %.9g%s\n", name, number, unit);
+}
+
+static void print_facts(FILE *out, const bl_signal *signal) {
+    const bl_facts *facts = &signal->facts;
+    fprintf(out, "\nfacts, for %s\n", signal->text);
+    if (isfinite(facts->lower) && isfinite(facts->upper))
+        fprintf(out, "  %-12s %.9g to %.9g%s%s\n", "bound", facts->lower, facts->upper,
+                facts->bound_proof ? "; " : "", facts->bound_proof ? facts->bound_proof : "");
+    else
+        fprintf(out, "  %-12s not stated\n", "bound");
+    print_fact(out, "mean", facts->mean, "");
+    print_fact(out, "variance", facts->variance, "");
+    if (isfinite(facts->band_from))
+        fprintf(out, "  %-12s %g : %g cycles per unit, leak %g dB of the variance\n", "band",
+                facts->band_from, facts->band_to, facts->leak_db);
+    else
+        fprintf(out, "  %-12s no claim\n", "band");
+    fprintf(out, "  %-12s %s\n", "continuity", continuity_word(facts->continuity));
+    if (facts->period > 0)
+        print_fact(out, "period", facts->period, " units");
+    else
+        fprintf(out, "  %-12s none\n", "period");
+    print_fact(out, "far", facts->far, " units: beyond it the fraction within a cell is lost");
+    fprintf(out, "  %-12s %s\n", "spectrum",
+            bl_signal_has_closed_form(signal) ? "closed form" : "no closed form");
+}
+
+static bl_status show_noise(bl_call *call, const bl_noise *noise, const char *text) {
+    bl_signal *signal;
+    bl_status status = bl_noise_open(text, call->isa, &signal, &call->message);
+    if (status != BL_OK)
+        return status;
+    json_t *object = bl_json_start(call);
+    if (object) {
+        bl_json_set_text(object, "kind", "noise");
+        bl_json_set_text(object, "name", noise->name);
+        bl_json_set_text(object, "signal", signal->text);
+        bl_json_set_text(object, "title", noise->title);
+        bl_json_set_text(object, "summary", noise->summary);
+        bl_json_set_text(object, "formula", noise->formula);
+        bl_json_set_text(object, "paper", noise->paper);
+        bl_json_set_count(object, "dimensions", noise->dimensions);
+        json_object_set_new(object, "parameters", parameters_json(noise->parameters));
+        facts_json(object, signal);
+    } else {
+        fprintf(call->out, "%s: %s\n\n%s\n\nformula\n  %s\n", noise->name, noise->title,
+                noise->summary, noise->formula);
+        fprintf(call->out, "\nsource       %s\ndimensions   %u\n", noise->paper, noise->dimensions);
+        print_parameters(call->out, noise->parameters);
+        print_facts(call->out, signal);
+    }
+    bl_signal_free(signal);
+    return BL_OK;
+}
+
+static bl_status show_figure(bl_call *call, const bl_figure *figure) {
+    json_t *object = bl_json_start(call);
+    if (object) {
+        bl_json_set_text(object, "kind", "figure");
+        bl_json_set_text(object, "name", figure->name);
+        bl_json_set_text(object, "title", figure->title);
+        bl_json_set_text(object, "question", figure->question);
+        bl_json_set_text(object, "paper", figure->paper);
+        bl_json_set_text(object, "shows", figure->shows);
+        return BL_OK;
+    }
+    fprintf(call->out,
+            "%s: %s\n\nquestion  %s\nsource    %s\n\n%s\n\nto make it: bandlimit "
+            "reproduce %s\n",
+            figure->name, figure->title, figure->question, figure->paper, figure->shows,
+            figure->name);
+    return BL_OK;
+}
+
+static bl_status show_file(bl_call *call, const char *text) {
+    bl_signal *signal;
+    bl_status status = bl_call_open(call, text, &signal);
+    if (status != BL_OK)
+        return status;
+    json_t *object = bl_json_start(call);
+    if (object) {
+        json_t *size = json_array();
+        for (unsigned a = 0; a < signal->dimensions; a++)
+            json_array_append_new(size, json_integer((json_int_t)signal->extent.size[a]));
+        bl_json_set_text(object, "kind", "file");
+        bl_json_set_text(object, "signal", signal->text);
+        bl_json_set_count(object, "dimensions", signal->dimensions);
+        json_object_set_new(object, "size", size);
+        bl_json_set_numbers(object, "spacing_units", signal->extent.spacing, signal->dimensions);
+        facts_json(object, signal);
+    } else {
+        fprintf(call->out, "%s: a file of samples\n\ndimensions   %u\n", signal->text,
+                signal->dimensions);
+        for (unsigned a = 0; a < signal->dimensions; a++)
+            fprintf(call->out, "axis %c       %zu samples, %g units between them\n", "xyzw"[a],
+                    signal -> extent.size[a], signal->extent.spacing[a]);
+    }
+    bl_signal_free(signal);
+    return BL_OK;
+}
+
+static bl_status report_unknown(bl_call *call, const char *name) {
+    size_t noises = bl_noise_count(), figures = bl_figure_count();
+    const char **names = calloc(noises + figures + 1, sizeof *names);
+    if (!names)
+        return bl_report(&call->message, BL_DEVICE, "out of memory");
+    for (size_t i = 0; i < noises; i++)
+        names[i] = bl_noise_at(i, BL_ISA_BASELINE)->name;
+    for (size_t i = 0; i < figures; i++)
+        names[noises + i] = bl_figure_at(i)->name;
+    const char *near = bl_nearest(name, names);
+    free(names);
+    return bl_report(&call->message, BL_USAGE,
+                     "no noise, figure or file is called '%s'%s%s%s`bandlimit list` shows all",
+                     name, near ? "; did you mean '" : "", near ? near : "", near ? "'? " : "; ");
+}
+
+static bl_status run_show(bl_call *call) {
+    const char *text = call->operands.words[0];
+    const bl_figure *figure = bl_figure_find(text);
+    if (figure)
+        return show_figure(call, figure);
+    bl_spec spec;
+    if (bl_source_is_file(text))
+        return show_file(call, text);
+    bl_status status = bl_spec_parse(text, &spec, &call->message);
+    if (status != BL_OK)
+        return status;
+    const bl_noise *noise = bl_noise_find(spec.name, call->isa);
+    status = noise ? show_noise(call, noise, text) : report_unknown(call, spec.name);
+    bl_spec_free(&spec);
+    return status;
+}
+
+const bl_verb bl_verb_show = {
+    .name = "show",
+    .operands = "NAME",
+    .summary = "definition, parameters, claims, source",
+    .text =
+        "NAME is a noise, with or without settings (the facts are those for the settings), a "
+        "figure, or a file.",
+    .least = 1,
+    .most = 1,
+    .output_help = "write the text to PATH instead of stdout",
+    .options = bl_no_options,
+    .run = run_show,
+};

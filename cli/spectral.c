@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "cli/spectral.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/csv.h"
+#include "cli/json.h"
+#include "cli/words.h"
+#include "core/file.h"
+
+const char *const bl_spectral_places[] = {"random", "lattice", NULL};
+
+// An image has the averages that it has.
+static size_t averages_of(const bl_call *call, const bl_signal *signal, unsigned dims) {
+    static const size_t normal[] = {256, 16, 8};
+    size_t count = signal->extent.size[0] ? 0 : normal[dims - 1];
+    return call->common.quick ? count / 4 : call->common.full ? count * 16 : 0;
+}
+
+bl_status bl_spectral_measure(bl_call *call, const bl_spectral *options, const bl_signal *signal,
+                              bl_psd *psd) {
+    unsigned dims = (unsigned)options->dims;
+    bl_psd_settings settings = bl_psd_default_settings(dims);
+    bl_status status = BL_OK;
+    settings.rate = options->rate;
+    settings.size = options->size;
+    settings.averages = options->averages ? options->averages : averages_of(call, signal, dims);
+    settings.level = options->level;
+    settings.threads = bl_call_threads(call);
+    if (call->common.seed_word)
+        settings.seed = call->common.seed;
+    if (strcmp(options->place, "lattice") == 0)
+        settings.place = BL_PLACE_LATTICE;
+    if (options->window)
+        status = bl_window_read(options->window, &settings.window, &call->message);
+    if (status == BL_OK && options->axis)
+        status = bl_read_axis("axis", options->axis, settings.axis, &call->message);
+    if (status != BL_OK)
+        return status;
+    bl_progress(call, "measuring %s ...", signal->text);
+    return bl_psd_measure(signal, &settings, psd, &call->message);
+}
+
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double bl_spectral_dof(const bl_psd *psd) {
+    double *sorted = malloc((psd->count + 1) * sizeof *sorted), median = NAN;
+    if (!sorted)
+        return NAN;
+    memcpy(sorted, psd->dof, psd->count * sizeof *sorted);
+    qsort(sorted, psd->count, sizeof *sorted, ascending);
+    median = psd->count ? sorted[psd->count / 2] : NAN;
+    free(sorted);
+    return median;
+}
+
+static const char *place_word(const bl_psd *psd) {
+    return bl_spectral_places[psd->settings.place == BL_PLACE_LATTICE];
+}
+
+void bl_spectral_json(json_t *object, const bl_signal *signal, const bl_psd *psd) {
+    const bl_psd_settings *used = &psd->settings;
+    bl_json_set_text(object, "signal", signal->text);
+    bl_json_set_count(object, "dims", used->dims);
+    if (used->dims < 3)
+        bl_json_set_numbers(object, "axis", used->axis, 3);
+    bl_json_set_text(object, "place", place_word(psd));
+    bl_json_set_number(object, "rate", used->rate);
+    bl_json_set_count(object, "size", used->size);
+    bl_json_set_count(object, "averages", used->averages);
+    bl_json_set_text(object, "window", bl_window_name(used->window));
+    bl_json_set_count(object, "seed", used->seed);
+    bl_json_set_number(object, "level", used->level);
+    bl_json_set_number(object, "dof", bl_spectral_dof(psd));
+    bl_json_set_number(object, "mean", psd->mean);
+    bl_json_set_estimate(object, "variance", &psd->variance);
+    bl_json_set_number(object, "variance_theory", psd->variance_theory);
+    bl_json_set_number(object, "parseval_residual", psd->parseval_residual);
+    bl_json_set_number(object, "inflation", psd->inflation);
+    bl_json_set_number(object, "correlation", psd->correlation);
+    bl_json_set_number(object, "broadening", psd->broadening);
+    bl_json_set_text(object, "frequency_unit", "cycles per unit (per cell for a noise)");
+    bl_json_set_text(object, "psd_unit",
+                     used->dims == 1   ? "value^2 per (cycle per unit), one-sided"
+                     : used->dims == 2 ? "value^2 per (cycle per unit)^2, two-sided"
+                                       : "value^2 per (cycle per unit)^3, two-sided");
+    bl_json_set_numbers(object, "frequency", psd->frequency, psd->count);
+    bl_json_set_numbers(object, "psd", psd->psd, psd->count);
+    bl_json_set_numbers(object, "lower", psd->lower, psd->count);
+    bl_json_set_numbers(object, "upper", psd->upper, psd->count);
+    bl_json_set_numbers(object, "theory", psd->theory, psd->count);
+    bl_json_set_numbers(object, "dof_per_bin", psd->dof, psd->count);
+    if (psd->anisotropy_db) {
+        bl_json_set_numbers(object, "anisotropy_db", psd->anisotropy_db, psd->count);
+        bl_json_set_numbers(object, "anisotropy_floor_db", psd->anisotropy_floor_db, psd->count);
+    }
+}
+
+static void write_head(FILE *out, const bl_signal *signal, const bl_psd *psd) {
+    const bl_psd_settings *used = &psd->settings;
+    char text[256];
+    bl_csv_comment(out, "bandlimit spectrum", BL_VERSION);
+    bl_csv_comment(out, "signal", signal->text);
+    snprintf(
+        text, sizeof text,
+        "dims %u, axis %.9g %.9g %.9g, rate %.9g, size %zu, averages %zu, window %s, place %s, "
+        "seed %llu, level %g",
+        used->dims, used->axis[0], used->axis[1], used->axis[2], used->rate, used->size,
+        used->averages, bl_window_name(used->window), place_word(psd),
+        (unsigned long long)used->seed, used->level);
+    bl_csv_comment(out, "settings", text);
+    snprintf(text, sizeof text, "%.9g, from %.9g to %.9g; parseval residual %.3g",
+             psd->variance.value, psd->variance.lower, psd->variance.upper, psd->parseval_residual);
+    bl_csv_comment(out, "variance", text);
+    bl_csv_comment(out, "units",
+                   "frequency in cycles per unit, psd in value^2 per (cycle per "
+                   "unit)^dims, one-sided for dims 1");
+}
+
+bl_status bl_spectral_csv(const char *path, const bl_signal *signal, const bl_psd *psd,
+                          bl_message *message) {
+    bl_file file;
+    bl_status status = bl_file_create(path, &file, message);
+    if (status != BL_OK)
+        return status;
+    write_head(file.stream, signal, psd);
+    fprintf(file.stream, "frequency,psd,lower,upper,theory,dof%s\n",
+            psd->anisotropy_db ? ",anisotropy_db" : "");
+    for (size_t i = 0; i < psd->count; i++) {
+        bl_csv_number(file.stream, psd->frequency[i], ',');
+        bl_csv_number(file.stream, psd->psd[i], ',');
+        bl_csv_number(file.stream, psd->lower[i], ',');
+        bl_csv_number(file.stream, psd->upper[i], ',');
+        bl_csv_number(file.stream, psd->theory ? psd->theory[i] : NAN, ',');
+        bl_csv_number(file.stream, psd->dof[i], psd->anisotropy_db ? ',' : '\n');
+        if (psd->anisotropy_db)
+            bl_csv_number(file.stream, psd->anisotropy_db[i], '\n');
+    }
+    return bl_file_commit(&file, message);
+}
+
+void bl_spectral_print(FILE *out, const bl_signal *signal, const bl_psd *psd) {
+    static const char *const shapes[] = {"along a line in direction", "in slices with normal",
+                                         "in volumes"};
+    const bl_psd_settings *used = &psd->settings;
+    size_t peak = 0;
+    for (size_t i = 1; i < psd->count; i++)
+        if (!(psd->psd[i] <= psd->psd[peak]))
+            peak = i;
+    fprintf(out, "%s %s", signal->text, shapes[used->dims - 1]);
+    if (used->dims < 3)
+        fprintf(out, " (%g, %g, %g)", used->axis[0], used->axis[1], used->axis[2]);
+    fprintf(out, ", %s places\n", place_word(psd));
+    fprintf(out,
+            "%zu samples an axis, %g per unit; %zu averages; %s window; %.3g degrees of "
+            "freedom a bin\n\n",
+            used->size, used->rate, used->averages, bl_window_name(used->window),
+            bl_spectral_dof(psd));
+    fprintf(out, "variance       %.6g   %g %% interval %.6g to %.6g", psd->variance.value,
+            100 * used->level, psd->variance.lower, psd->variance.upper);
+    if (isfinite(psd->variance_theory))
+        fprintf(out, "   theory %.6g", psd->variance_theory);
+    if (psd->count)
+        fprintf(out, "\npeak           %.4g cycles per unit, PSD %.4g", psd->frequency[peak],
+                psd->psd[peak]);
+    fprintf(out, "\nParseval       residual %.2g\n", psd->parseval_residual);
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// What the verbs that measure a spectrum share: their options, the measurement, and its forms as
+// JSON and as a data file.
+#ifndef BL_CLI_SPECTRAL_H
+#define BL_CLI_SPECTRAL_H
+
+#include "cli/verb.h"
+#include "spectra/psd.h"
+
+typedef struct bl_spectral {
+    uint64_t dims, size, averages; // 0: as the library chooses
+    double rate, level;
+    const char *axis, *window, *place;
+} bl_spectral;
+
+#define BL_SPECTRAL_AT(type, member) (offsetof(type, spectral) + offsetof(bl_spectral, member))
+
+// The options, for a settings struct `type` with a member `spectral`.
+// clang-format off
+#define BL_SPECTRAL_OPTIONS(type)                                                                  \
+    {.name = "dims", .kind = BL_OPTION_UNSIGNED, .offset = BL_SPECTRAL_AT(type, dims),             \
+     .value = "N", .fallback = "1", .minimum = 1, .maximum = 3,                                    \
+     .help = "1 along a line, 2 in a slice (rings), 3 in a volume (shells)"},                      \
+    {.name = "axis", .kind = BL_OPTION_WORD, .offset = BL_SPECTRAL_AT(type, axis),                 \
+     .value = "AXIS",                                                                              \
+     .help = "direction of the line or normal of the slice: x, y, z or DX,DY,DZ (default: x for "  \
+             "a line, z for a slice)"},                                                            \
+    {.name = "rate", .kind = BL_OPTION_REAL, .offset = BL_SPECTRAL_AT(type, rate), .value = "R",   \
+     .minimum = 1e-6, .maximum = 1e6,                                                              \
+     .help = "samples per unit (default: that of an image; else 16, 8, 4 by dims)"},               \
+    {.name = "size", .kind = BL_OPTION_UNSIGNED, .offset = BL_SPECTRAL_AT(type, size),             \
+     .value = "N", .minimum = 8, .maximum = 1e12,                                                  \
+     .help = "samples along each axis (default: 2048, 512, 64 by dims, or what an image has)"},    \
+    {.name = "average", .kind = BL_OPTION_UNSIGNED, .offset = BL_SPECTRAL_AT(type, averages),      \
+     .value = "K", .minimum = 2, .maximum = 1e7,                                                   \
+     .help = "independent places to average over (default: 256, 16, 8 by dims; a quarter with "    \
+             "--quick, sixteen times with --full)"},                                               \
+    {.name = "window", .kind = BL_OPTION_WORD, .offset = BL_SPECTRAL_AT(type, window),             \
+     .value = "NAME",                                                                              \
+     .help = "blackman-harris, hann or rectangle (default: blackman-harris)"},                     \
+    {.name = "place", .kind = BL_OPTION_CHOICE, .offset = BL_SPECTRAL_AT(type, place),             \
+     .value = "PLACE", .fallback = "random", .choices = bl_spectral_places,                        \
+     .help = "where lines and slices lie: anywhere, or on lattice edges and planes"},              \
+    {.name = "level", .kind = BL_OPTION_REAL, .offset = BL_SPECTRAL_AT(type, level),               \
+     .value = "P", .fallback = "0.95", .minimum = 0.5, .maximum = 0.999999,                        \
+     .help = "confidence level of the intervals"}
+// clang-format on
+
+extern const char *const bl_spectral_places[];
+
+// Turns the options into settings of the library and measures.
+bl_status bl_spectral_measure(bl_call *call, const bl_spectral *options, const bl_signal *signal,
+                              bl_psd *psd);
+
+// Adds how the spectrum was taken, the variance, and the arrays over frequency.
+void bl_spectral_json(json_t *object, const bl_signal *signal, const bl_psd *psd);
+
+// Writes the data file: comments, one header line, one row a frequency.
+bl_status bl_spectral_csv(const char *path, const bl_signal *signal, const bl_psd *psd,
+                          bl_message *message);
+
+// Prints what was measured and how: the first lines of a report.
+void bl_spectral_print(FILE *out, const bl_signal *signal, const bl_psd *psd);
+
+// The degrees of freedom of the median bin.
+double bl_spectral_dof(const bl_psd *psd);
+
+#endif

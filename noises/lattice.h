@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+//
+// The random numbers of the integer lattice: words, values and gradients of a cell and a seed.
+//
+// lattice=hash. An axis b and a 64-bit cell number c give a key of two 32-bit halves. With
+// C = c + 2^31 (mod 2^64), low and high its halves, and o_b, h_b drawn from the seed,
+//
+//     p = (low + o_b) * M1        additive half:   p
+//     q = (p ^ p >> 15 ^ high ^ h_b) * M2          exclusive half: q
+//
+// a bijection of the 64-bit cell number, so no plane of cells ever repeats. The keys of the three
+// axes meet in one product, the word of the cell:
+//
+//     word = (p_x + p_y + p_z) * (q_x ^ q_y ^ q_z)      mod 2^32
+//
+// Only a sum, an exclusive or and one product belong to a corner; everything else is shared by the
+// corners with the same coordinate. That is what makes the noises fast, and these are the quality
+// requirements that the choice passes (t-lattice): every used bit is balanced and flips with
+// probability 1/2 when any bit of cell or seed flips; neighbouring cells and seeds are
+// uncorrelated; and so are the products over parallelograms (i,j) (i',j) (i,j') (i',j'), the place
+// where keys that are merely added or xored fail: with a linear last step the fourth corner
+// follows from the other three. Bits 31 to 12 of a word pass all this in 10^7 words; the bits
+// below do not (bit 0 of a product is a product of bits 0), so they are never used bare: a value
+// takes bits 31 to 12, and a gradient takes the word's size for its height and the bits of
+// word ^ rotate(word, 16), which have a good bit in each place, for its longitude.
+//
+// A component index (0 for the noises with one number a cell) adds to the sum and to the exclusive
+// or as a fourth axis would: it gives one cell several independent words.
+//
+// lattice=perm256. The text's own: an 8-bit index, permuted and added axis by axis, so that the
+// noise has the period 256 on each axis, and only 256 different words, those of the cells
+// (index, 0, 0) of lattice=hash. Its rows are shifts of one another: a known defect of the text.
+//
+// A value is an odd multiple of 2^-20 in (-1, 1), uniform: mean 0, variance (1 - 2^-40)/3.
+//
+// A gradient is a float triple by definition; the reference in double takes the same triple.
+//   sphere     uniform on the unit sphere: height z = word * 2^-31 as a signed number, radius
+//              sqrt(1 - z^2), longitude from 14 bits within a quadrant and two signs. Sine and
+//              cosine of pi/4 + a are E -+ O of an even and an odd polynomial, fitted so that
+//              E^2 + O^2 is constant to 7e-7: of unit length to 4e-7. The density of the
+//              longitude is uniform to 9e-4, with the symmetry of the square, so that the mean is
+//              0 (z: -2^-32) and the second moments are I/3.
+//   rejection  Perlin's scheme: uniform in the cube, discarded outside of the unit sphere,
+//              normalised. 21 bits an axis; at most 64 tries (the chance of more is 2e-18).
+//   edges      the 12 midpoints of the edges of the cube [-1,1]^3, of length sqrt 2 (Perlin 2002);
+//              second moments 2/3 I.
+//
+// Every function is pure; all arithmetic on cells, seeds and words is unsigned.
+#ifndef BL_NOISES_LATTICE_H
+#define BL_NOISES_LATTICE_H
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "core/hash.h"
+#include "noises/textbook.h"
+
+// Odd multipliers: 2^32 times the golden ratio's fraction, and the second one of MurmurHash3's
+// finaliser (Appleby 2011), found there by search for avalanche.
+#define BL_LATTICE_M1 0x9E3779B1u
+#define BL_LATTICE_M2 0x85EBCA6Bu
+
+enum { BL_COMPONENTS = 4 };
+
+typedef enum bl_lattice_kind { BL_LATTICE_HASH, BL_LATTICE_PERM256 } bl_lattice_kind;
+typedef enum bl_gradients { BL_GRADIENTS_SPHERE, BL_GRADIENTS_REJECTION, BL_GRADIENTS_EDGES } bl_gradients;
+
+// What a seed makes of the hash: drawn once for a call, constant from then on.
+typedef struct bl_lattice {
+    uint32_t offset[3], high[3];
+    uint32_t add[BL_COMPONENTS], exclusive[BL_COMPONENTS]; // component 0 has zeros
+    bl_lattice_kind kind;
+} bl_lattice;
+
+// The two halves of the key of a cell along one axis.
+typedef struct bl_lattice_key {
+    uint32_t add, exclusive;
+} bl_lattice_key;
+
+static inline bl_lattice bl_lattice_of(uint64_t seed, bl_lattice_kind kind) {
+    bl_lattice lattice = {.kind = kind};
+    for (unsigned axis = 0; axis < 3; axis++) {
+        uint64_t bits = bl_stream(seed, axis);
+        lattice.offset[axis] = (uint32_t)bits;
+        lattice.high[axis] = (uint32_t)(bits >> 32);
+    }
+    for (unsigned component = 1; component < BL_COMPONENTS; component++) {
+        uint64_t bits = bl_stream(seed, 2 + component);
+        lattice.add[component] = (uint32_t)bits;
+        lattice.exclusive[component] = (uint32_t)(bits >> 32);
+    }
+    return lattice;
+}
+
+// The exclusive half, from the additive half and high ^ h_b.
+static inline uint32_t bl_lattice_exclusive(uint32_t add, uint32_t high) {
+    return (add ^ add >> 15 ^ high) * BL_LATTICE_M2;
+}
+
+static inline bl_lattice_key bl_lattice_key_of(const bl_lattice *lattice, unsigned axis,
+                                               uint64_t cell) {
+    uint64_t biased = cell + UINT64_C(0x80000000);
+    uint32_t add = ((uint32_t)biased + lattice->offset[axis]) * BL_LATTICE_M1;
+    uint32_t high = (uint32_t)(biased >> 32) ^ lattice->high[axis];
+    return (bl_lattice_key){add, bl_lattice_exclusive(add, high)};
+}
+
+static inline uint32_t bl_perm256_index(uint64_t x, uint64_t y, uint64_t z) {
+    uint32_t index = bl_permutation[z & 255];
+    index = bl_permutation[(y + index) & 255];
+    return bl_permutation[(x + index) & 255];
+}
+
+static inline uint32_t bl_lattice_hash_word(const bl_lattice *lattice, const uint64_t cell[3],
+                                            unsigned component) {
+    uint32_t add = lattice->add[component], exclusive = lattice->exclusive[component];
+    for (unsigned axis = 0; axis < 3; axis++) {
+        bl_lattice_key key = bl_lattice_key_of(lattice, axis, cell[axis]);
+        add += key.add;
+        exclusive ^= key.exclusive;
+    }
+    return add * exclusive;
+}
+
+// The word of a cell, straightforwardly: the reference for the loops that share the keys.
+static inline uint32_t bl_lattice_word(const bl_lattice *lattice, const uint64_t cell[3],
+                                       unsigned component) {
+    if (lattice->kind == BL_LATTICE_HASH)
+        return bl_lattice_hash_word(lattice, cell, component);
+    const uint64_t drawn[3] = {bl_perm256_index(cell[0], cell[1], cell[2]), 0, 0};
+    return bl_lattice_hash_word(lattice, drawn, component);
+}
+
+// The 256 words that lattice=perm256 draws from.
+static inline void bl_perm256_words(const bl_lattice *lattice, unsigned component,
+                                    uint32_t words[256]) {
+    for (uint64_t index = 0; index < 256; index++)
+        words[index] = bl_lattice_hash_word(lattice, (const uint64_t[3]){index, 0, 0}, component);
+}
+
+// Numbers are made in units of 2^-31, so that a kernel scales once a sample and not once a corner.
+#define BL_LATTICE_UNIT 0x1p-31
+
+// The value of a word in units of 2^-31: exact, because its low 11 bits are 0.
+static inline float bl_lattice_value(uint32_t word) {
+    return (float)(int32_t)((word & 0xfffff000u) | 0x800u);
+}
+
+static inline float bl_float_of_bits(uint32_t bits) {
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static inline uint32_t bl_bits_of_float(float value) {
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+// x and y are the equator's part, to be multiplied by `radius` and by BL_SPHERE_SCALE; z stands for
+// itself. All are in units of 2^-31.
+typedef struct bl_sphere {
+    float radius, x, y, z;
+} bl_sphere;
+
+// cos(pi/4 + a) and sin(pi/4 + a) times sqrt 2 / BL_SPHERE_SCALE are E - O and E + O of
+// t = a / 2 pi in (-1/8, 1/8), s = t^2:  E = (s + E1) s + E0,  O = t ((O2 s + O1) s + O0).
+// Levenberg-Marquardt fit to unit length (weight 100) and to equal steps of the longitude (weight
+// 1) on 60 Chebyshev nodes; residuals: length 3.3e-7, longitude 2.6e-5.
+#define BL_SPHERE_SCALE (63.254425948940046 * 0.70710678118654752)
+#define BL_SPHERE_E1 -0.31195181565357155f
+#define BL_SPHERE_E0 0.015809165205292755f
+#define BL_SPHERE_O2 1.074496912532877f
+#define BL_SPHERE_O1 -0.6496546932968489f
+#define BL_SPHERE_O0 0.09931634408635416f
+
+static inline bl_sphere bl_sphere_gradient(uint32_t word) {
+    uint32_t mixed = word ^ (word << 16 | word >> 16);
+    float z = (float)(int32_t)word;
+    // |z| <= 2^31, so the root is of no negative number. Bit 31 turns by half a circle.
+    float radius = sqrtf(0x1p62f - z * z);
+    radius = bl_float_of_bits(bl_bits_of_float(radius) ^ (mixed & 0x80000000u));
+    // Bits 22 to 9 become the mantissa of a number in [1/4, 1/2), at the middles of 2^14 steps.
+    float t = bl_float_of_bits((mixed & 0x007ffe00u) | 0x3e800100u) - 0.375f;
+    float s = t * t;
+    float even = (s + BL_SPHERE_E1) * s + BL_SPHERE_E0;
+    float odd = t * ((s * BL_SPHERE_O2 + BL_SPHERE_O1) * s + BL_SPHERE_O0);
+    float x = bl_float_of_bits(bl_bits_of_float(even - odd) ^ (mixed << 1 & 0x80000000u));
+    return (bl_sphere){radius, x, even + odd, z};
+}
+
+typedef struct bl_vector {
+    float x, y, z;
+} bl_vector;
+
+static inline bl_vector bl_rejection_gradient(uint32_t word) {
+    for (uint64_t attempt = 0; attempt < 64; attempt++) {
+        uint64_t bits = bl_mix(word + (attempt << 32));
+        float c[3], square = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            // Odd multiples of 2^-21 in (-1, 1).
+            int32_t odd = (int32_t)(bits >> 21 * axis & 0x1fffff) * 2 + 1 - 0x200000;
+            c[axis] = (float)odd * 0x1p-21f;
+            square += c[axis] * c[axis];
+        }
+        // Above 0: no component is 0.
+        if (square > 1)
+            continue;
+        float length = sqrtf(square);
+        return (bl_vector){c[0] / length, c[1] / length, c[2] / length};
+    }
+    return (bl_vector){1, 0, 0};
+}
+
+static inline bl_vector bl_edge_gradient(uint32_t word) {
+    uint32_t mixed = word ^ (word << 16 | word >> 16);
+    uint32_t edge = (uint32_t)((uint64_t)mixed * 12 >> 32);
+    float first = edge & 1 ? -1.0f : 1.0f, second = edge & 2 ? -1.0f : 1.0f;
+    return (bl_vector){edge < 4 ? 0.0f : first, edge < 4 ? first : edge < 8 ? 0.0f : second,
+                       edge < 8 ? second : 0.0f};
+}
+
+// The gradient of a word in double: the same numbers as the float kernels, whatever the mode.
+static inline void bl_lattice_gradient(bl_gradients gradients, uint32_t word, double out[3]) {
+    if (gradients == BL_GRADIENTS_SPHERE) {
+        bl_sphere g = bl_sphere_gradient(word);
+        out[0] = (double)g.radius * g.x * (BL_SPHERE_SCALE * BL_LATTICE_UNIT);
+        out[1] = (double)g.radius * g.y * (BL_SPHERE_SCALE * BL_LATTICE_UNIT);
+        out[2] = g.z * BL_LATTICE_UNIT;
+        return;
+    }
+    bl_vector g = gradients == BL_GRADIENTS_EDGES ? bl_edge_gradient(word)
+                                                  : bl_rejection_gradient(word);
+    out[0] = g.x;
+    out[1] = g.y;
+    out[2] = g.z;
+}
+
+// Splits a coordinate into its cell and the fraction within it, in [0, 1). Returns 0 outside of
+// |x| < 2^62 and for NaN: there the cell would not be an integer of 64 bits.
+static inline int bl_lattice_split(double x, uint64_t *cell, double *fraction) {
+    if (!(fabs(x) < 0x1p62))
+        return 0;
+    double down = floor(x);
+    *cell = (uint64_t)(int64_t)down;
+    *fraction = x - down;
+    return 1;
+}
+
+#endif

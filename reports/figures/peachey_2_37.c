@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+//
+// peachey-2.37: the power spectra of six noises, along a line with the closed form behind the
+// measurement, and in four readings side by side. Its measurements stand in six_spectra.c, its
+// claims in six_claims.c.
+#include <math.h>
+#include <stdlib.h>
+
+#include "reports/figures/six_spectra.h"
+
+static const double lowest_db = -200; // an empty bin, far below what is drawn
+
+static double db_of(double density, double reference) {
+    return density > 0 ? fmax(10 * log10(density / reference), lowest_db) : lowest_db;
+}
+
+// The columns of one noise.
+enum { MEASURED, LOWER, UPPER, THEORY, KINDS };
+static const char *const kind_names[KINDS] = {"", "_lower", "_upper", "_theory"};
+
+// Fills the columns of one spectrum: power by frequency, in dB of the total variance per cycle per
+// cell. For rings and shells the density times measure / width is the power by radius.
+static void fill_columns(const bl_psd *psd, double *columns, size_t count) {
+    double variance = psd->variance.value;
+    for (size_t b = 0; b < count; b++) {
+        double by_radius = psd->measure[b] / psd->width[b];
+        columns[MEASURED * count + b] = db_of(psd->psd[b] * by_radius, variance);
+        columns[LOWER * count + b] = db_of(psd->lower[b] * by_radius, variance);
+        columns[UPPER * count + b] = db_of(psd->upper[b] * by_radius, variance);
+        columns[THEORY * count + b] =
+            psd->theory ? db_of(psd->theory[b] * by_radius, variance) : NAN;
+    }
+}
+
+static bl_status write_reading(bl_run *run, const bl_six_spectra *spectra, int reading,
+                               bl_message *message) {
+    const bl_psd *psd = spectra->psd[reading];
+    size_t count = psd[0].count;
+    double *values = malloc(sizeof *values * BL_SIX * KINDS * count);
+    if (!values)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    bl_column columns[1 + BL_SIX * KINDS];
+    size_t used = 0;
+    columns[used++] = (bl_column){"frequency_cycles_per_cell", psd[0].frequency, NULL};
+    for (size_t i = 0; i < BL_SIX; i++) {
+        double *own = values + i * KINDS * count;
+        fill_columns(&psd[i], own, count);
+        for (size_t k = 0; k < KINDS; k++)
+            if (k != THEORY || psd[i].theory)
+                columns[used++] =
+                    (bl_column){bl_run_text(run, "%s%s_db", bl_six_names[i], kind_names[k]),
+                                own + k * count, NULL};
+    }
+    bl_status status =
+        bl_run_csv(run, bl_run_text(run, "spectra-%s", bl_reading_names[reading]),
+                   bl_run_text(run, "power spectra %s, dB of the total variance per cycle per cell",
+                               bl_reading_words[reading]),
+                   columns, used, count, message);
+    free(values);
+    return status;
+}
+
+static bl_plot plot_of(const char *title, const bl_panel *panels, const bl_limit *limit) {
+    return (bl_plot){.title = title,
+                     .x = {"frequency, cycles per lattice cell", 0, 3, 0.5},
+                     .y = {"power density, dB re total variance per cycle per cell", -80, 10, 20},
+                     .panels = panels,
+                     .panel_count = BL_SIX,
+                     .columns = 3,
+                     .aspect = 0.8,
+                     .limits = limit,
+                     .limit_count = 1};
+}
+
+static const bl_limit band_end = {1, 1, "band limit 1"};
+
+static bl_status plot_lines(bl_run *run, const bl_six_spectra *spectra, bl_message *message) {
+    static const char file[] = "spectra-line.csv", x[] = "frequency_cycles_per_cell";
+    bl_series series[BL_SIX][3];
+    bl_panel panels[BL_SIX];
+    for (int i = 0; i < BL_SIX; i++) {
+        const char *name = bl_six_names[i];
+        int theory = spectra->psd[BL_READING_LINE][i].theory != NULL;
+        series[i][0] = (bl_series){BL_STROKE_BAND, BL_INK_MEASURED, file, x,
+                                   bl_run_text(run, "%s_lower_db", name),
+                                   bl_run_text(run, "%s_upper_db", name), "95 % band"};
+        series[i][1] = (bl_series){BL_STROKE_THIN, BL_INK_MEASURED, file, x,
+                                   bl_run_text(run, "%s_db", name), NULL, "measured"};
+        series[i][2] = (bl_series){BL_STROKE_THIN, BL_INK_THEORY, file, x,
+                                   bl_run_text(run, "%s_theory_db", name), NULL, "closed form"};
+        panels[i] = (bl_panel){name, series[i], theory ? 3 : 2, NULL};
+    }
+    const bl_plot plot =
+        plot_of("Where in frequency does the power of the six noises lie?", panels, &band_end);
+    return bl_run_plot(run, "spectra-line", &plot,
+                       "Six power spectra along a line at a random place. The closed forms lie "
+                       "within the 95 % bands of the measurements; all fall steeply towards "
+                       "frequency 1, with side lobes beyond.",
+                       message);
+}
+
+static bl_status plot_readings(bl_run *run, bl_message *message) {
+    static const bl_ink inks[BL_READINGS] = {BL_INK_MEASURED, BL_INK_FOURTH, BL_INK_SECOND,
+                                             BL_INK_THIRD};
+    static const char *const labels[BL_READINGS] = {"line, random place", "line, lattice edge",
+                                                    "slice, by radius", "volume, by radius"};
+    bl_series series[BL_SIX][BL_READINGS];
+    bl_panel panels[BL_SIX];
+    for (int i = 0; i < BL_SIX; i++) {
+        for (int r = 0; r < BL_READINGS; r++)
+            series[i][r] = (bl_series){BL_STROKE_THIN, inks[r],
+                                       bl_run_text(run, "spectra-%s.csv", bl_reading_names[r]),
+                                       "frequency_cycles_per_cell",
+                                       bl_run_text(run, "%s_db", bl_six_names[i]), NULL, labels[r]};
+        panels[i] = (bl_panel){bl_six_names[i], series[i], BL_READINGS, NULL};
+    }
+    const bl_plot plot =
+        plot_of("How much do the spectra depend on where and how they are read?", panels, &band_end);
+    return bl_run_plot(run, "readings", &plot,
+                       "The same six noises read in four ways: along a line at a random place, "
+                       "along a lattice edge, and by radial frequency in a slice and in a volume. "
+                       "The more dimensions, the higher the frequencies that carry the power.",
+                       message);
+}
+
+static bl_status run_figure(bl_run *run, bl_message *message) {
+    bl_six six;
+    bl_six_spectra spectra;
+    bl_status status = bl_six_open(run, &six, message);
+    if (status != BL_OK)
+        return status;
+    status = bl_six_spectra_measure(run, &six, &spectra, message);
+    for (int r = 0; r < BL_READINGS && status == BL_OK; r++)
+        status = write_reading(run, &spectra, r, message);
+    if (status == BL_OK)
+        status = plot_lines(run, &spectra, message);
+    if (status == BL_OK)
+        status = plot_readings(run, message);
+    if (status == BL_OK)
+        bl_six_spectra_claim(run, &spectra);
+    bl_six_spectra_free(&spectra);
+    bl_six_close(&six);
+    return status;
+}
+
+BL_FIGURE_DESCRIPTOR(peachey_2_37) = {
+    .name = "peachey-2.37",
+    .title = "Power spectra of six noises",
+    .question = "Where in frequency does the power of the six noises lie?",
+    .paper = "peachey2003, fig. 2.37",
+    .shows = "Each panel is the power spectrum of one noise. First along a line at a random place: "
+             "the measurement with its 95 % band, and the closed form as this window sees it. Then "
+             "the same noises read in four ways, each as power by frequency that sums to the "
+             "variance; a line, a slice and a volume of one noise have different spectra, and a "
+             "sentence that is true of one may be false of another.",
+    .run = run_figure};

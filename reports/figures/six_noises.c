@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "reports/figures/six_noises.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "noises/noise.h"
+
+const char *const bl_six_names[BL_SIX] = {"vnoise",  "gnoise",  "vgnoise",
+                                          "hermite", "vcnoise", "scnoise"};
+
+bl_status bl_six_open_one(bl_run *run, bl_signal **signal, bl_message *message, const char *format,
+                          ...) {
+    char *text = NULL;
+    va_list arguments;
+    va_start(arguments, format);
+    if (vasprintf(&text, format, arguments) < 0)
+        text = NULL;
+    va_end(arguments);
+    if (!text)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    bl_status status = bl_noise_open(text, bl_run_settings(run)->isa, signal, message);
+    free(text);
+    return status;
+}
+
+bl_status bl_six_open(bl_run *run, bl_six *six, bl_message *message) {
+    static const char *const notes[BL_SIX] = {"signal (a)", "signal (b)", "signal (c)",
+                                              "signal (d)", "signal (e)", "signal (f)"};
+    *six = (bl_six){0};
+    for (int i = 0; i < BL_SIX; i++) {
+        bl_status status = bl_six_open_one(run, &six->signal[i], message, "%s:seed=%llu",
+                                           bl_six_names[i],
+                                           (unsigned long long)bl_run_settings(run)->seed);
+        if (status != BL_OK) {
+            bl_six_close(six);
+            return status;
+        }
+        bl_run_setting(run, notes[i], six->signal[i]->text);
+    }
+    return BL_OK;
+}
+
+void bl_six_close(bl_six *six) {
+    for (int i = 0; i < BL_SIX; i++)
+        bl_signal_free(six->signal[i]);
+    *six = (bl_six){0};
+}
+
+bl_estimate bl_exactly(double value, double samples) {
+    return (bl_estimate){value, value, value, 1, samples};
+}
+
+bl_estimate bl_difference(bl_estimate a, bl_estimate b) {
+    double value = a.value - b.value;
+    return (bl_estimate){value, value - hypot(a.value - a.lower, b.upper - b.value),
+                         value + hypot(a.upper - a.value, b.value - b.lower), a.level,
+                         a.samples + b.samples};
+}
+
+bl_estimate bl_ratio_db(bl_estimate a, bl_estimate b) {
+    const double db = 10 / log(10);
+    double value = db * log(a.value / b.value);
+    double below = db * hypot((a.value - a.lower) / a.value, (b.upper - b.value) / b.value);
+    double above = db * hypot((a.upper - a.value) / a.value, (b.value - b.lower) / b.value);
+    return (bl_estimate){value, value - below, value + above, a.level, a.samples + b.samples};
+}
+
+void bl_six_claim(bl_run *run, const char *source, const char *sentence, const char *reading,
+                  const char *unit, double lower, double upper, bl_estimate measured) {
+    bl_run_claim(run, &(bl_claim){.sentence = sentence,
+                                  .source = source,
+                                  .reading = reading,
+                                  .unit = unit,
+                                  .expected_lower = lower,
+                                  .expected_upper = upper,
+                                  .measured = measured});
+}

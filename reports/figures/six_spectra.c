@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "reports/figures/six_spectra.h"
+
+#include <math.h>
+
+const char *const bl_reading_words[BL_READINGS] = {
+    "along a line at a random place", "along a lattice edge", "in a slice at a random place",
+    "in a volume"};
+const char *const bl_reading_names[BL_READINGS] = {"line", "edge", "slice", "volume"};
+
+static bl_psd_settings settings_of(const bl_run *run, bl_reading reading) {
+    static const unsigned dims[BL_READINGS] = {1, 1, 2, 3};
+    bl_psd_settings s = bl_psd_default_settings(dims[reading]);
+    s.seed = bl_run_settings(run)->seed;
+    s.threads = bl_run_settings(run)->threads;
+    s.level = 0.95;
+    s.place = reading == BL_READING_EDGE ? BL_PLACE_LATTICE : BL_PLACE_RANDOM;
+    for (int a = 0; a < 3; a++)
+        s.axis[a] = a == (reading == BL_READING_SLICE ? 2 : 0);
+    switch (dims[reading]) {
+    case 1:
+        s.rate = 16;
+        s.size = (size_t)bl_run_pick(run, 1024, 2048, 4096);
+        s.averages = (size_t)bl_run_pick(run, 64, 512, 65536);
+        break;
+    case 2:
+        s.rate = 8;
+        s.size = (size_t)bl_run_pick(run, 128, 256, 512);
+        s.averages = (size_t)bl_run_pick(run, 6, 16, 512);
+        break;
+    default:
+        s.rate = 4;
+        s.size = (size_t)bl_run_pick(run, 32, 64, 128);
+        s.averages = (size_t)bl_run_pick(run, 4, 8, 128);
+    }
+    return s;
+}
+
+static void note_settings(bl_run *run, bl_reading reading, const bl_psd_settings *s) {
+    static const char *const shapes[] = {"", "", "^2", "^3"};
+    bl_run_setting(run, bl_run_text(run, "spectrum %s", bl_reading_words[reading]),
+                   bl_run_text(run,
+                               "%zu averages of %zu%s samples, %g a cell, %s window; a fresh place "
+                               "and a fresh seed for each; %g %% bands",
+                               s->averages, s->size, shapes[s->dims], s->rate,
+                               bl_window_name(s->window), 100 * s->level));
+}
+
+bl_status bl_six_spectra_measure(bl_run *run, const bl_six *six, bl_six_spectra *spectra,
+                                 bl_message *message) {
+    *spectra = (bl_six_spectra){0};
+    for (int r = 0; r < BL_READINGS; r++) {
+        bl_psd_settings settings = settings_of(run, (bl_reading)r);
+        note_settings(run, (bl_reading)r, &settings);
+        for (int i = 0; i < BL_SIX; i++) {
+            bl_run_step(run, bl_run_text(run, "%s %s", bl_six_names[i], bl_reading_words[r]));
+            bl_status status =
+                bl_psd_measure(six->signal[i], &settings, &spectra->psd[r][i], message);
+            if (status != BL_OK)
+                return status;
+            spectra->measured[r][i] = 1;
+        }
+    }
+    return BL_OK;
+}
+
+void bl_six_spectra_free(bl_six_spectra *spectra) {
+    for (int r = 0; r < BL_READINGS; r++)
+        for (int i = 0; i < BL_SIX; i++)
+            if (spectra->measured[r][i])
+                bl_psd_free(&spectra->psd[r][i]);
+    *spectra = (bl_six_spectra){0};
+}
+
+bl_band bl_six_band(const bl_psd *psd, double from, double to) {
+    bl_band band = {.from = from, .to = to};
+    bl_psd_band(psd, &band);
+    return band;
+}
+
+bl_estimate bl_six_share(const bl_psd *psd, double from, double to) {
+    return bl_six_band(psd, from, to).fraction;
+}

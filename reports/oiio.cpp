@@ -1,0 +1,449 @@
+// SPDX-License-Identifier: MIT
+//
+// The only C++ file, and the only one that knows OpenImageIO. Every function that C calls catches
+// what is thrown and turns it into a status, or into NaN where a value is asked for.
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <OpenImageIO/imagecache.h>
+#include <OpenImageIO/imageio.h>
+
+extern "C" {
+#include "core/file.h"
+#include "core/grammar.h"
+#include "reports/image.h"
+}
+
+namespace {
+
+// --- writing ------------------------------------------------------------------------------------
+
+enum class Format { none, exr, tiff, png };
+
+Format format_of(const std::string &path) {
+    const size_t dot = path.find_last_of("./");
+    if (dot == std::string::npos || path[dot] != '.')
+        return Format::none;
+    std::string ending = path.substr(dot + 1);
+    for (char &c : ending)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending == "exr"                       ? Format::exr
+           : ending == "png"                     ? Format::png
+           : ending == "tif" || ending == "tiff" ? Format::tiff
+                                                 : Format::none;
+}
+
+// The finite range of the values, for pictures without a stated one. A constant image is black.
+void range_of(const bl_image &image, size_t count, double &black, double &white) {
+    black = image.black;
+    white = image.white;
+    if (black != white)
+        return;
+    bool first = true;
+    for (size_t i = 0; i < count; i++) {
+        const double value = image.values[i];
+        if (!std::isfinite(value))
+            continue;
+        black = first ? value : std::fmin(black, value);
+        white = first ? value : std::fmax(white, value);
+        first = false;
+    }
+    if (black == white)
+        white = black + 1;
+}
+
+template <typename Code>
+std::vector<Code> codes_of(const bl_image &image, size_t count, double black, double white) {
+    const double full = static_cast<Code>(~Code{0});
+    std::vector<Code> codes(count);
+    for (size_t i = 0; i < count; i++) {
+        const double share = (image.values[i] - black) / (white - black);
+        // fmax gives 0 for NaN, so the cast below always sees a number in [0, full + 0.5).
+        codes[i] = static_cast<Code>(std::fmin(std::fmax(share, 0.0), 1.0) * full + 0.5);
+    }
+    return codes;
+}
+
+std::string real_text(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.17g", value);
+    return text;
+}
+
+void put_attributes(const bl_image &image, OIIO::ImageSpec &spec) {
+    for (size_t i = 0; i < image.attribute_count; i++)
+        spec.attribute(image.attributes[i].name, image.attributes[i].value);
+    if (image.spacing > 0)
+        spec.attribute("bandlimit:spacing", real_text(image.spacing));
+}
+
+bool write_values(OIIO::ImageOutput &output, const bl_image &image, Format format, size_t count) {
+    if (format != Format::png)
+        return output.write_image(OIIO::TypeDesc::FLOAT, image.values);
+    double black, white;
+    range_of(image, count, black, white);
+    return image.bits == 16 ? output.write_image(OIIO::TypeDesc::UINT16,
+                                                 codes_of<uint16_t>(image, count, black, white).data())
+                            : output.write_image(OIIO::TypeDesc::UINT8,
+                                                 codes_of<uint8_t>(image, count, black, white).data());
+}
+
+OIIO::ImageSpec spec_of(const bl_image &image, Format format, int channels) {
+    const OIIO::TypeDesc type = format != Format::png ? OIIO::TypeDesc::FLOAT
+                                : image.bits == 16    ? OIIO::TypeDesc::UINT16
+                                                      : OIIO::TypeDesc::UINT8;
+    OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height), channels,
+                         type);
+    if (channels == 1)
+        spec.channelnames = {"Y"};
+    spec.attribute("compression", "zip");
+    if (format == Format::png)
+        spec.attribute("oiio:ColorSpace", "sRGB"); // codes are for the eye as they stand
+    put_attributes(image, spec);
+    return spec;
+}
+
+bl_status write_image(const char *path, const bl_image &image, bl_message *message) {
+    const Format format = format_of(path);
+    const size_t channels = image.channels ? image.channels : 1;
+    const size_t most = 1 << 24; // pixels along a side: beyond it no format here can hold them
+    if (format == Format::none)
+        return bl_report(message, BL_USAGE,
+                         "cannot tell the format of '%s': the name must end in .exr, .png or .tif",
+                         path);
+    if (!image.width || !image.height || image.width > most || image.height > most)
+        return bl_report(message, BL_USAGE, "'%s': no image has %zu x %zu pixels", path,
+                         image.width, image.height);
+    if ((channels != 1 && channels != 3) || (image.bits && image.bits != 8 && image.bits != 16))
+        return bl_report(message, BL_USAGE, "'%s': an image has 1 or 3 channels and 8 or 16 bits",
+                         path);
+    struct stat info;
+    if (stat(path, &info) == 0 && S_ISDIR(info.st_mode))
+        return bl_report(message, BL_DEVICE, "cannot write '%s': it is a folder; name a file",
+                         path);
+    std::unique_ptr<char, void (*)(void *)> temporary(bl_file_temporary_name(path), std::free);
+    if (!temporary)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    auto output = OIIO::ImageOutput::create(path);
+    bool good = output && output->open(temporary.get(),
+                                       spec_of(image, format, static_cast<int>(channels)));
+    good = good && write_values(*output, image, format, image.width * image.height * channels);
+    good = good && output->close();
+    if (good)
+        return bl_file_install(temporary.get(), path, message);
+    const std::string reason = output ? output->geterror() : OIIO::geterror();
+    if (output)
+        output->close();
+    unlink(temporary.get());
+    return bl_report(message, BL_DEVICE,
+                     "cannot write '%s': %s; check the folder, its permissions and its space", path,
+                     reason.empty() ? "the image library gives no reason" : reason.c_str());
+}
+
+// --- reading ------------------------------------------------------------------------------------
+
+// The pixels of one channel: held in memory, or read in blocks through a cache of bounded size.
+class Pixels {
+  public:
+    Pixels(const OIIO::ImageSpec &spec, const char *file, int of_part, int of_channel)
+        : width(static_cast<size_t>(spec.width)), height(static_cast<size_t>(spec.height)),
+          left(spec.x), top(spec.y), part(of_part), channel(of_channel), path(file) {
+    }
+    ~Pixels() {
+        if (cache)
+            OIIO::ImageCache::destroy(cache, true);
+    }
+    Pixels(const Pixels &) = delete;
+    Pixels &operator=(const Pixels &) = delete;
+
+    void use_cache(size_t memory_bytes) {
+        cache = OIIO::ImageCache::create(false);
+        const float mebibytes = static_cast<float>(memory_bytes) / 1048576.0f;
+        cache->attribute("max_memory_MB", std::fmax(mebibytes, 1.0f));
+        cache->attribute("autotile", 64);
+        cache->attribute("autoscanline", 1);
+        cache->attribute("forcefloat", 1);
+        cache->attribute("unassociatedalpha", 1);
+    }
+
+    // Pixels x .. x + count - 1 of row y, all within the image. NaN where the file fails us.
+    void span(size_t x, size_t y, size_t count, float *out) const {
+        if (!held.empty()) {
+            std::memcpy(out, &held[y * width + x], count * sizeof *out);
+            return;
+        }
+        const int x0 = left + static_cast<int>(x), y0 = top + static_cast<int>(y);
+        if (!cache->get_pixels(path, part, 0, x0, x0 + static_cast<int>(count), y0, y0 + 1, 0, 1,
+                               channel, channel + 1, OIIO::TypeDesc::FLOAT, out)) {
+            (void)cache->geterror();
+            for (size_t i = 0; i < count; i++)
+                out[i] = NAN;
+        }
+    }
+
+    const size_t width, height;
+    std::vector<float> held;
+
+  private:
+    const int left, top, part, channel;
+    const OIIO::ustring path;
+    OIIO::ImageCache *cache = nullptr;
+};
+
+// The parameter block of the signal.
+struct Block {
+    double spacing;
+    Pixels *pixels; // owned; released by release_image
+};
+
+// The nearest pixel of a coordinate, or SIZE_MAX outside of the image and for NaN.
+size_t nearest(double coordinate, double spacing, size_t size) {
+    const double pixel = std::floor(coordinate / spacing + 0.5);
+    return pixel >= 0 && pixel < static_cast<double>(size) ? static_cast<size_t>(pixel) : SIZE_MAX;
+}
+
+float pixel_at(const Block &block, double x, double y) {
+    const size_t i = nearest(x, block.spacing, block.pixels->width);
+    const size_t j = nearest(y, block.spacing, block.pixels->height);
+    float value = NAN;
+    if (i != SIZE_MAX && j != SIZE_MAX)
+        block.pixels->span(i, j, 1, &value);
+    return value;
+}
+
+// A row that walks the pixels one by one is copied whole; any other is picked pixel by pixel.
+bool row_is_span(const Block &block, const double *start, const double *step, size_t count) {
+    const double last = start[0] + static_cast<double>(count - 1) * step[0];
+    const size_t i = nearest(start[0], block.spacing, block.pixels->width);
+    const size_t k = nearest(last, block.spacing, block.pixels->width);
+    return step[0] == block.spacing && step[1] == 0 && i != SIZE_MAX && k != SIZE_MAX &&
+           k - i == count - 1 && nearest(start[1], block.spacing, block.pixels->height) != SIZE_MAX;
+}
+
+extern "C" void image_row(const void *parameters, const double start[BL_AXES],
+                          const double step[BL_AXES], size_t count, float *out) try {
+    const Block &block = *static_cast<const Block *>(parameters);
+    if (count && row_is_span(block, start, step, count)) {
+        block.pixels->span(nearest(start[0], block.spacing, block.pixels->width),
+                           nearest(start[1], block.spacing, block.pixels->height), count, out);
+        return;
+    }
+    for (size_t i = 0; i < count; i++)
+        out[i] = pixel_at(block, start[0] + static_cast<double>(i) * step[0],
+                          start[1] + static_cast<double>(i) * step[1]);
+} catch (...) {
+    for (size_t i = 0; i < count; i++)
+        out[i] = NAN;
+}
+
+extern "C" void image_points(const void *parameters, const double *const at[BL_AXES], size_t count,
+                             float *out) try {
+    for (size_t i = 0; i < count; i++)
+        out[i] = pixel_at(*static_cast<const Block *>(parameters), at[0][i], at[1][i]);
+} catch (...) {
+    for (size_t i = 0; i < count; i++)
+        out[i] = NAN;
+}
+
+extern "C" double image_value(const void *parameters, const double at[BL_AXES]) try {
+    return static_cast<double>(pixel_at(*static_cast<const Block *>(parameters), at[0], at[1]));
+} catch (...) {
+    return NAN;
+}
+
+extern "C" void image_release(void *parameters) {
+    delete static_cast<Block *>(parameters)->pixels;
+}
+
+const bl_signal_functions image_functions = {image_row, image_points, image_value, nullptr, nullptr,
+                                             nullptr,   nullptr,      image_release};
+
+bl_status check_file(const char *path, bl_message *message) {
+    struct stat info;
+    if (stat(path, &info) != 0)
+        return bl_report(message, BL_DEVICE, "cannot read '%s': %s", path, std::strerror(errno));
+    if (S_ISDIR(info.st_mode))
+        return bl_report(message, BL_DEVICE, "cannot read '%s': it is a folder; name a file", path);
+    if (!S_ISREG(info.st_mode))
+        return bl_report(message, BL_DEVICE,
+                         "cannot read '%s': it is not a file but a device or a pipe", path);
+    if (access(path, R_OK) != 0)
+        return bl_report(message, BL_DEVICE, "cannot read '%s': %s", path, std::strerror(errno));
+    if (info.st_size == 0)
+        return bl_report(message, BL_DEVICE, "cannot read '%s': the file is empty", path);
+    return BL_OK;
+}
+
+bl_status report_reading(const char *path, std::string reason, bl_message *message) {
+    for (char &c : reason)
+        c = c == '\n' ? ' ' : c;
+    return bl_report(message, BL_DEVICE, "cannot read '%s': %s", path,
+                     reason.empty() ? "it is damaged or not an image" : reason.c_str());
+}
+
+// Goes to the part asked for. A file of several parts needs one named: the first may be any layer.
+bl_status seek_part(OIIO::ImageInput &input, const bl_image_source &source, int &part,
+                    bl_message *message) {
+    int parts = 1;
+    while (input.seek_subimage(parts, 0))
+        parts++;
+    (void)input.geterror();
+    part = source.part < 0 ? 0 : source.part;
+    if (source.part < 0 && parts > 1)
+        return bl_report(message, BL_MISMATCH,
+                         "'%s' has %d parts; choose one with part=0 to part=%d", source.path, parts,
+                         parts - 1);
+    if (part >= parts)
+        return bl_report(message, BL_USAGE, "part=%d of '%s': the file has %d part%s, from 0", part,
+                         source.path, parts, parts == 1 ? "" : "s");
+    if (!input.seek_subimage(part, 0))
+        return report_reading(source.path, input.geterror(), message);
+    return BL_OK;
+}
+
+bl_status find_channel(const OIIO::ImageSpec &spec, const bl_image_source &source, int &channel,
+                       bl_message *message) {
+    channel = 0;
+    if (!source.channel)
+        return BL_OK;
+    channel = spec.channelindex(source.channel);
+    unsigned long long index;
+    if (channel < 0 && bl_read_unsigned(source.channel, &index) &&
+        index < static_cast<unsigned long long>(spec.nchannels))
+        channel = static_cast<int>(index);
+    if (channel >= 0)
+        return BL_OK;
+    std::string names;
+    for (int i = 0; i < spec.nchannels; i++)
+        names += (i ? ", " : "") + std::string(spec.channel_name(i));
+    return bl_report(message, BL_USAGE, "no channel '%s' in '%s'; it has %s (or 0 to %d)",
+                     source.channel, source.path, names.c_str(), spec.nchannels - 1);
+}
+
+bl_status find_spacing(const OIIO::ImageSpec &spec, const bl_image_source &source, double &spacing,
+                       bl_message *message) {
+    spacing = source.spacing;
+    if (spacing > 0)
+        return BL_OK;
+    const std::string text{spec.get_string_attribute("bandlimit:spacing", "1")};
+    if (bl_read_real(text.c_str(), &spacing) && spacing > 0)
+        return BL_OK;
+    return bl_report(message, BL_MISMATCH,
+                     "'%s' says bandlimit:spacing is '%s', which is no size of a pixel; give "
+                     "spacing=REAL",
+                     source.path, text.c_str());
+}
+
+bl_status check_shape(const OIIO::ImageSpec &spec, const char *path, bl_message *message) {
+    if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
+        return bl_report(message, BL_MISMATCH, "'%s' has no pixels: %d x %d with %d channels", path,
+                         spec.width, spec.height, spec.nchannels);
+    if (spec.deep || spec.depth > 1)
+        return bl_report(message, BL_MISMATCH,
+                         "'%s' is %s; only images of one plane of pixels can be read", path,
+                         spec.deep ? "a deep image" : "a volume");
+    return BL_OK;
+}
+
+// Reads all rows once in strips, which finds a damaged file now, and keeps them if asked to.
+bl_status read_all(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int part, int channel,
+                   bool keep, const char *path, Pixels &pixels, bl_message *message) {
+    const int lines = spec.tile_height > 1 ? spec.tile_height : 64;
+    std::vector<float> strip(pixels.width * static_cast<size_t>(lines));
+    if (keep)
+        pixels.held.resize(pixels.width * pixels.height);
+    for (int y = spec.y; y < spec.y + spec.height; y += lines) {
+        const int end = std::min(y + lines, spec.y + spec.height);
+        const bool good =
+            spec.tile_width
+                ? input.read_tiles(part, 0, spec.x, spec.x + spec.width, y, end, spec.z,
+                                   spec.z + 1, channel, channel + 1, OIIO::TypeDesc::FLOAT,
+                                   strip.data())
+                : input.read_scanlines(part, 0, y, end, spec.z, channel, channel + 1,
+                                       OIIO::TypeDesc::FLOAT, strip.data());
+        if (!good)
+            return report_reading(path, input.geterror(), message);
+        if (keep)
+            std::copy_n(strip.data(), pixels.width * static_cast<size_t>(end - y),
+                        &pixels.held[static_cast<size_t>(y - spec.y) * pixels.width]);
+    }
+    return BL_OK;
+}
+
+bl_status make_signal(const bl_image_source &source, double spacing,
+                      std::unique_ptr<Pixels> pixels, bl_signal **out, bl_message *message) {
+    const Block block = {spacing, pixels.get()};
+    bl_signal *signal = bl_signal_new(&image_functions, &block, sizeof block, source.text);
+    if (!signal)
+        return bl_report(message, BL_DEVICE, "out of memory opening '%s'", source.path);
+    signal->dimensions = 2;
+    signal->name = "image";
+    signal->extent.size[0] = pixels->width;
+    signal->extent.size[1] = pixels->height;
+    signal->extent.spacing[0] = signal->extent.spacing[1] = spacing;
+    (void)pixels.release(); // the signal owns it now
+    *out = signal;
+    return BL_OK;
+}
+
+bl_status open_image(const bl_image_source &source, bl_signal **out, bl_message *message) {
+    bl_status status = check_file(source.path, message);
+    if (status != BL_OK)
+        return status;
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1); // values as stored, not times alpha
+    auto input = OIIO::ImageInput::open(source.path, &hints);
+    if (!input)
+        return report_reading(source.path, OIIO::geterror(), message);
+    int part, channel;
+    double spacing;
+    if ((status = seek_part(*input, source, part, message)) != BL_OK)
+        return status;
+    const OIIO::ImageSpec spec = input->spec();
+    if ((status = check_shape(spec, source.path, message)) != BL_OK ||
+        (status = find_channel(spec, source, channel, message)) != BL_OK ||
+        (status = find_spacing(spec, source, spacing, message)) != BL_OK)
+        return status;
+    auto pixels = std::make_unique<Pixels>(spec, source.path, part, channel);
+    const double bytes = 4.0 * spec.width * spec.height;
+    const bool keep = bytes <= static_cast<double>(source.memory_bytes);
+    status = read_all(*input, spec, part, channel, keep, source.path, *pixels, message);
+    if (status != BL_OK)
+        return status;
+    if (!keep)
+        pixels->use_cache(source.memory_bytes);
+    return make_signal(source, spacing, std::move(pixels), out, message);
+}
+
+bl_status report_thrown(const char *path, const char *what, bl_message *message) {
+    return bl_report(message, BL_DEVICE, "'%s': the image library failed: %s", path, what);
+}
+
+} // namespace
+
+extern "C" bl_status bl_image_write(const char *path, const bl_image *image,
+                                    bl_message *message) try {
+    return write_image(path, *image, message);
+} catch (const std::exception &thrown) {
+    return report_thrown(path, thrown.what(), message);
+} catch (...) {
+    return report_thrown(path, "no reason given", message);
+}
+
+extern "C" bl_status bl_image_open(const bl_image_source *source, bl_signal **signal,
+                                   bl_message *message) try {
+    return open_image(*source, signal, message);
+} catch (const std::exception &thrown) {
+    return report_thrown(source->path, thrown.what(), message);
+} catch (...) {
+    return report_thrown(source->path, "no reason given", message);
+}

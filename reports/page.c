@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+//
+// The page: a summary, then one section a figure. The files it reads are the pictures that the run
+// has just written.
+#include "reports/page.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/file.h"
+#include "core/version.h"
+
+// Text for an element or for an attribute in double quotes.
+static void put_text(FILE *out, const char *text) {
+    for (; *text; text++) {
+        switch (*text) {
+        case '&':
+            fputs("&amp;", out);
+            break;
+        case '<':
+            fputs("&lt;", out);
+            break;
+        case '>':
+            fputs("&gt;", out);
+            break;
+        case '"':
+            fputs("&quot;", out);
+            break;
+        default:
+            fputc(*text, out);
+        }
+    }
+}
+
+static void put_tagged(FILE *out, const char *open, const char *text, const char *close) {
+    fputs(open, out);
+    put_text(out, text);
+    fputs(close, out);
+}
+
+static void put_base64(FILE *out, FILE *in) {
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    unsigned char bytes[3];
+    size_t got;
+    while ((got = fread(bytes, 1, 3, in)) > 0) {
+        unsigned long bits = (unsigned long)bytes[0] << 16 |
+                             (got > 1 ? (unsigned long)bytes[1] << 8 : 0) |
+                             (got > 2 ? (unsigned long)bytes[2] : 0);
+        fputc(digits[bits >> 18], out);
+        fputc(digits[bits >> 12 & 63], out);
+        fputc(got > 1 ? digits[bits >> 6 & 63] : '=', out);
+        fputc(got > 2 ? digits[bits & 63] : '=', out);
+    }
+}
+
+// A picture as data: several SVG texts in one page would share their internal names.
+static bl_status put_picture(FILE *out, const char *folder, const bl_run_note *plot,
+                             bl_message *message) {
+    char *path = NULL;
+    if (asprintf(&path, "%s/%s.svg", folder, plot->name) < 0)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    FILE *in = fopen(path, "r");
+    bl_status status =
+        in ? BL_OK : bl_report(message, BL_DEVICE, "cannot read '%s': %s", path, strerror(errno));
+    if (in) {
+        put_tagged(out, "<figure class=\"plot\"><div class=\"sheet\" tabindex=\"0\"><img alt=\"",
+                   plot->text, "\" src=\"data:image/svg+xml;base64,");
+        put_base64(out, in);
+        put_tagged(out, "\"></div><figcaption>", plot->text, "</figcaption></figure>\n");
+        fclose(in);
+    }
+    free(path);
+    return status;
+}
+
+static const char *verdict_sign(bl_verdict verdict) {
+    static const char *const signs[] = {"&#10003;", "?", "&#10007;", "!", "&ndash;"};
+    return signs[verdict];
+}
+
+static const char *verdict_class(bl_verdict verdict) {
+    return verdict == BL_NOT_RUN ? "soft" : bl_verdict_word(verdict);
+}
+
+static void put_verdict(FILE *out, bl_verdict verdict) {
+    fprintf(out, "<span class=\"%s\">%s %s</span>", verdict_class(verdict), verdict_sign(verdict),
+            bl_verdict_word(verdict));
+}
+
+static void put_expected(FILE *out, const bl_claim *claim) {
+    if (isinf(claim->expected_lower) && isinf(claim->expected_upper))
+        fputs("any", out);
+    else if (isinf(claim->expected_lower))
+        fprintf(out, "at most %.4g", claim->expected_upper);
+    else if (isinf(claim->expected_upper))
+        fprintf(out, "at least %.4g", claim->expected_lower);
+    else
+        fprintf(out, "%.4g to %.4g", claim->expected_lower, claim->expected_upper);
+    put_tagged(out, " ", claim->unit, "");
+}
+
+static int same_sentence(const bl_claim *a, const bl_claim *b) {
+    return strcmp(a->sentence, b->sentence) == 0 && strcmp(a->source, b->source) == 0;
+}
+
+// A row that names the claim, then one row for each reading of it.
+static void put_claim(FILE *out, const bl_claim *claim, int first) {
+    if (first) {
+        put_tagged(out, "<tr class=\"claim\"><th colspan=\"6\" scope=\"rowgroup\">",
+                   claim->sentence, "");
+        put_tagged(out, " <span>", claim->source, "</span></th></tr>\n");
+    }
+    const bl_estimate *m = &claim->measured;
+    put_tagged(out, "<tr><td data-label=\"reading\"><span>", claim->reading,
+               "</span></td><td data-label=\"expected\"><span>");
+    put_expected(out, claim);
+    fprintf(out, "</span></td><td class=\"number\" data-label=\"measured\"><span>%.4g", m->value);
+    fputs("</span></td><td class=\"number\" data-label=\"interval\"><span>", out);
+    if (m->level < 1 && m->level > 0)
+        fprintf(out, "%.4g to %.4g (%g&nbsp;%%)", m->lower, m->upper, 100 * m->level);
+    else if (m->lower < m->upper)
+        fprintf(out, "%.4g to %.4g", m->lower, m->upper);
+    else
+        fputs("exact", out);
+    fprintf(out, "</span></td><td class=\"number\" data-label=\"samples\"><span>%.10g", m->samples);
+    fputs("</span></td><td data-label=\"verdict\">", out);
+    put_verdict(out, claim->verdict);
+    fputs("</td></tr>\n", out);
+}
+
+static void put_claims(FILE *out, const bl_figure_result *result) {
+    if (result->claim_count == 0)
+        return;
+    fputs("<h3>Claims</h3>\n<table><thead><tr><th>Reading</th><th>Expected</th><th>Measured</th>"
+          "<th>Interval</th><th>Samples</th><th>Verdict</th></tr></thead>\n<tbody>\n",
+          out);
+    for (size_t i = 0; i < result->claim_count; i++)
+        put_claim(out, &result->claims[i],
+                  i == 0 || !same_sentence(&result->claims[i - 1], &result->claims[i]));
+    fputs("</tbody></table>\n", out);
+}
+
+static void put_settings(FILE *out, const bl_run_view *view) {
+    fputs("<h3>Settings</h3>\n<dl>\n", out);
+    for (size_t i = 0; i < view->setting_count; i++) {
+        put_tagged(out, "<dt>", view->settings[i].name, "</dt>");
+        put_tagged(out, "<dd>", view->settings[i].text, "</dd>\n");
+    }
+    fputs("</dl>\n", out);
+}
+
+static void put_files(FILE *out, const bl_figure_result *result) {
+    fputs("<h3>Files</h3>\n<ul class=\"files\">\n", out);
+    for (size_t i = 0; i < result->file_count; i++) {
+        put_tagged(out, "<li><a href=\"", result->figure->name, "/");
+        put_tagged(out, "", result->files[i], "\">");
+        put_tagged(out, "", result->files[i], "</a></li>\n");
+    }
+    fputs("</ul>\n", out);
+}
+
+static bl_status put_figure(FILE *out, const bl_run_view *view, bl_message *message) {
+    const bl_figure_result *result = view->result;
+    const bl_figure *figure = result->figure;
+    put_tagged(out, "<section id=\"", figure->name, "\">\n<p class=\"soft\">");
+    put_tagged(out, "", figure->name, " &middot; ");
+    put_tagged(out, "", figure->title, " &middot; after ");
+    put_tagged(out, "", figure->paper, "</p>\n");
+    put_tagged(out, "<h2>", figure->question, "</h2>\n");
+    put_tagged(out, "<p>", figure->shows, "</p>\n");
+    for (size_t i = 0; i < view->plot_count; i++) {
+        bl_status status = put_picture(out, result->folder, &view->plots[i], message);
+        if (status != BL_OK)
+            return status;
+    }
+    put_claims(out, result);
+    put_settings(out, view);
+    put_files(out, result);
+    fputs("</section>\n", out);
+    return BL_OK;
+}
+
+// The claims that somebody should read first, each with a link to its figure.
+static void put_findings(FILE *out, const bl_run_view *views, size_t count) {
+    int any = 0;
+    for (size_t f = 0; f < count; f++)
+        for (size_t i = 0; i < views[f].result->claim_count; i++) {
+            const bl_claim *claim = &views[f].result->claims[i];
+            if (claim->verdict != BL_REFUTED && claim->verdict != BL_BROKEN)
+                continue;
+            fputs(any ? "" : "<h2>What does not hold</h2>\n<ul>\n", out);
+            any = 1;
+            put_tagged(out, "<li>", claim->sentence, " ");
+            put_tagged(out, "<span class=\"soft\">(", claim->reading, ": ");
+            fprintf(out, "%.4g", claim->measured.value);
+            put_tagged(out, " ", claim->unit, ")</span> ");
+            put_verdict(out, claim->verdict);
+            put_tagged(out, " in <a href=\"#", views[f].result->figure->name, "\">");
+            put_tagged(out, "", views[f].result->figure->name, "</a></li>\n");
+        }
+    fputs(any ? "</ul>\n" : "", out);
+}
+
+static void put_summary(FILE *out, const bl_run_view *views, size_t count) {
+    size_t verdicts[BL_NOT_RUN + 1] = {0}, total = 0;
+    for (size_t f = 0; f < count; f++)
+        for (int v = 0; v <= BL_NOT_RUN; v++) {
+            verdicts[v] += views[f].result->verdicts[v];
+            total += views[f].result->verdicts[v];
+        }
+    fprintf(out, "<p>%zu figure%s, %zu claims measured. A claim of a paper that is refuted is a "
+                 "finding; a claim of our own that is broken is a fault.</p>\n"
+                 "<ul class=\"tally\">\n",
+            count, count == 1 ? "" : "s", total);
+    for (int v = 0; v <= BL_NOT_RUN; v++) {
+        if (verdicts[v] == 0 && (v == BL_NOT_RUN || v == BL_UNDECIDED))
+            continue;
+        fprintf(out, "<li><b>%zu</b>", verdicts[v]);
+        put_verdict(out, (bl_verdict)v);
+        fputs("</li>\n", out);
+    }
+    fputs("</ul>\n<nav aria-label=\"Figures\"><ol>\n", out);
+    for (size_t f = 0; f < count; f++) {
+        put_tagged(out, "<li><a href=\"#", views[f].result->figure->name, "\">");
+        put_tagged(out, "", views[f].result->figure->question, "</a> ");
+        put_tagged(out, "<span class=\"soft\">", views[f].result->figure->name, "</span></li>\n");
+    }
+    fputs("</ol></nav>\n", out);
+}
+
+static void put_head(FILE *out) {
+    fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+          "<title>bandlimit: figures and claims</title>\n<style>\n",
+          out);
+    fputs(bl_page_style, out);
+    fputs("</style>\n</head>\n<body>\n<header>\n<h1>bandlimit: figures and claims</h1>\n", out);
+}
+
+bl_status bl_page_write(const char *path, const bl_run_view *views, size_t count,
+                        const bl_reproduce_settings *settings, bl_message *message) {
+    bl_file file;
+    bl_status status = bl_file_create(path, &file, message);
+    if (status != BL_OK)
+        return status;
+    FILE *out = file.stream;
+    put_head(out);
+    put_summary(out, views, count);
+    fputs("</header>\n<main>\n", out);
+    put_findings(out, views, count);
+    for (size_t i = 0; i < count && status == BL_OK; i++)
+        status = put_figure(out, &views[i], message);
+    fprintf(out, "</main>\n<footer><p>bandlimit %s, size %s, seed %llu", BL_VERSION,
+            bl_size_word(settings->size), (unsigned long long)settings->seed);
+    if (settings->arguments && *settings->arguments)
+        put_tagged(out, ": <code>", settings->arguments, "</code>");
+    fputs("</p></footer>\n</body>\n</html>\n", out);
+    if (status == BL_OK)
+        return bl_file_commit(&file, message);
+    bl_file_discard(&file);
+    return status;
+}

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+//
+// Shares of the variance in a band, and the verdict on a band limit.
+//
+// A bin that an edge cuts counts in proportion. Four averages and more give the interval of the
+// share as a ratio of sums over averages; fewer, as for a single large slice, by the degrees of
+// freedom of the bins: with A the power in the band, B the power outside, T = A + B,
+//
+//   var A = broadening sum over bins of share^2 power^2 2/(cells K),   F = A/T
+//   var F = ((1-F)^2 var A + F^2 var B) / T^2
+//
+// and the interval is symmetric in log(F/(1-F)), which keeps it inside of 0..1.
+#include <math.h>
+#include <stdlib.h>
+
+#include "spectra/psd_parts.h"
+
+// The part of a bin that lies in [from, to]. DC reaches from 0, the last bin ends at Nyquist.
+static double share_of_bin(const bl_psd *psd, size_t bin, double from, double to) {
+    double step = psd->width[bin], nyquist = 0.5 * psd->settings.rate;
+    double low = bin ? step * ((double)bin - 0.5) : 0;
+    double high = fmin(step * ((double)bin + 0.5), nyquist);
+    double inside = fmin(high, to) - fmax(low, from);
+    return inside > 0 ? fmin(1, inside / (high - low)) : 0;
+}
+
+static double share_of_corners(const bl_psd *psd, double to) {
+    return to >= sqrt((double)psd->settings.dims) * 0.5 * psd->settings.rate ? 1 : 0;
+}
+
+static double share(const bl_psd *psd, size_t bin, double from, double to) {
+    return bin < psd->count ? share_of_bin(psd, bin, from, to) : share_of_corners(psd, to);
+}
+
+// Cells of the full spectrum in a bin.
+static double cells_of(const bl_psd *psd, size_t bin) {
+    if (psd->settings.dims == 1) // a line has no corners
+        return bin == 0 || 2 * bin == psd->settings.size ? 1 : bin < psd->count ? 2 : 0;
+    double dims = (double)psd->settings.dims, cell = pow(psd->width[0], dims), all = 0;
+    if (bin < psd->count)
+        return psd->measure[bin] / cell;
+    for (size_t b = 0; b < psd->count; b++)
+        all += psd->measure[b] / cell;
+    return pow((double)psd->settings.size, dims) - all;
+}
+
+static double invert_logit(double x) {
+    return 1 / (1 + exp(-x));
+}
+
+// The interval from the degrees of freedom of the bins, for few averages.
+static bl_estimate share_by_freedom(const bl_psd *psd, double from, double to, int outside,
+                                    double level) {
+    double averages = (double)psd->settings.averages, in = 0, out = 0, var_in = 0, var_out = 0;
+    for (size_t bin = 0; bin <= psd->count; bin++) {
+        double power = 0, part = share(psd, bin, from, to), cells = cells_of(psd, bin);
+        part = outside ? 1 - part : part;
+        for (size_t k = 0; k < psd->settings.averages; k++)
+            power += psd->profiles[k * (psd->count + 1) + bin] / averages;
+        if (!(cells > 0))
+            continue;
+        double variance = 2 * power * power * psd->broadening * psd->correlation / cells / averages;
+        in += part * power;
+        out += (1 - part) * power;
+        var_in += part * part * variance;
+        var_out += (1 - part) * (1 - part) * variance;
+    }
+    bl_estimate estimate = {0, 0, 0, level, averages};
+    if (!(in > 0))
+        return estimate;
+    if (!(out > 0)) {
+        estimate.value = estimate.lower = estimate.upper = 1;
+        return estimate;
+    }
+    double f = in / (in + out);
+    double spread = sqrt((1 - f) * (1 - f) * var_in + f * f * var_out) / (in + out);
+    double logit = log(in / out), reach = bl_normal_quantile(0.5 + 0.5 * level) * spread;
+    estimate.value = f;
+    estimate.lower = invert_logit(logit - reach / (f * (1 - f)));
+    estimate.upper = invert_logit(logit + reach / (f * (1 - f)));
+    return estimate;
+}
+
+// The share in the band or outside of it, with its interval.
+static bl_estimate share_estimate(const bl_psd *psd, double from, double to, int outside,
+                                  double level) {
+    size_t averages = psd->settings.averages, stride = psd->count + 1;
+    double *pairs = averages >= 4 ? calloc(2 * averages, sizeof *pairs) : NULL;
+    if (!pairs) // few averages; or no memory for the better way
+        return share_by_freedom(psd, from, to, outside, level);
+    double whole = 0, part_sum = 0;
+    for (size_t bin = 0; bin <= psd->count; bin++) {
+        double part = share(psd, bin, from, to);
+        part = outside ? 1 - part : part;
+        for (size_t k = 0; k < averages; k++) {
+            double power = psd->profiles[k * stride + bin];
+            pairs[k] += part * power;
+            pairs[averages + k] += power;
+            part_sum += part * power;
+            whole += power;
+        }
+    }
+    bl_estimate estimate = {0, 0, 0, level, (double)averages};
+    if (whole > 0 && part_sum > 0) {
+        estimate = bl_ratio_estimate(pairs, pairs + averages, averages, level);
+        double widen = sqrt(psd->correlation), value = estimate.value;
+        estimate.lower = fmax(0, value - widen * (value - estimate.lower));
+        estimate.upper = fmin(1, value + widen * (estimate.upper - value));
+    }
+    free(pairs);
+    return estimate;
+}
+
+void bl_psd_band(const bl_psd *psd, bl_band *band) {
+    band->fraction = share_estimate(psd, band->from, band->to, 0, psd->settings.level);
+    band->theory = NAN;
+    if (!psd->theory)
+        return;
+    double all = *psd->theory_corners, in = share_of_corners(psd, band->to) * all;
+    for (size_t bin = 0; bin < psd->count; bin++) {
+        double power = psd->theory[bin] * psd->measure[bin];
+        in += share_of_bin(psd, bin, band->from, band->to) * power;
+        all += power;
+    }
+    band->theory = in / all;
+}
+
+static double decibel(double share_of_variance) {
+    return share_of_variance > 0 ? 10 * log10(share_of_variance) : -INFINITY;
+}
+
+double bl_psd_guard(const bl_psd *psd) {
+    return bl_window_half_lobe(psd->settings.window) * psd->width[0];
+}
+
+void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit) {
+    // A one-sided limit at level L is the end of the two-sided interval at 2L - 1.
+    double two_sided = fmax(2 * psd->settings.level - 1, 1e-9);
+    bl_estimate leak = share_estimate(psd, limit->from - limit->guard, limit->to + limit->guard, 1,
+                                      two_sided);
+    limit->leak_db = decibel(leak.value);
+    limit->lower_db = decibel(leak.lower);
+    limit->upper_db = decibel(leak.upper);
+    limit->needed_averages = 0;
+    double allowed = pow(10, limit->limit_db / 10);
+    if (leak.upper <= allowed) {
+        limit->verdict = BL_OK;
+    } else if (leak.lower > allowed) {
+        limit->verdict = BL_FAIL;
+    } else {
+        limit->verdict = BL_INCONCLUSIVE;
+        // The interval narrows with the root of the averages; it must not reach the limit.
+        double reach = leak.value > allowed ? leak.value - leak.lower : leak.upper - leak.value;
+        double ratio = reach / fabs(leak.value - allowed);
+        double averages = (double)psd->settings.averages, needed = averages * ratio * ratio;
+        needed = fmax(ceil(needed), averages + 1);
+        limit->needed_averages = needed < 1e15 ? (size_t)needed : (size_t)1e15; // NaN too
+    }
+}

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+//
+// The parts of a PSD measurement; private to spectra/psd*.c and autocorrelation.c.
+//
+//   sampler    where each average stands, with which seed; fills buffers        psd_sampler.c
+//   bins       which cell of the spectrum belongs to which line bin or ring     psd_bins.c
+//   transform  window, FFT, |.|^2 and the sums over bins, of one average        psd_transform.c
+//   limits     degrees of freedom and confidence limits                         psd_limits.c
+#ifndef BL_SPECTRA_PSD_PARTS_H
+#define BL_SPECTRA_PSD_PARTS_H
+
+#include "spectra/fft.h"
+#include "spectra/psd.h"
+
+// --- sampler ---
+
+typedef struct bl_sampler {
+    const bl_signal *signal;
+    bl_psd_settings settings;       // resolved: nothing left 0 but threads
+    double directions[3][BL_AXES];  // orthonormal
+    double spacing;                 // units between samples: 1/rate
+    int on_grid;
+    size_t tiles[BL_AXES];          // on a grid: averages along each axis
+    size_t tile_length[BL_AXES];    // samples of a tile along each axis
+    double overlap;                 // variance factor of overlapped tiles of white noise
+} bl_sampler;
+
+// Checks and resolves the settings for this signal.
+bl_status bl_sampler_open(const bl_signal *signal, const bl_psd_settings *settings,
+                          bl_sampler *sampler, bl_message *message);
+// The place of sample 0 of an average.
+void bl_sampler_start(const bl_sampler *sampler, size_t average, double start[BL_AXES]);
+// Fills all samples of an average, rows along directions[0], `pitch` floats apart.
+void bl_sampler_fill(const bl_sampler *sampler, size_t average, float *out, size_t pitch,
+                     int threads);
+// The samples of one average: size^dims.
+size_t bl_sampler_samples(const bl_sampler *sampler);
+// BL_MISMATCH that says where, if one of the `rows` rows of `size` samples is not finite.
+bl_status bl_sampler_check(const bl_sampler *sampler, size_t average, const float *samples,
+                           size_t pitch, bl_message *message);
+
+// Threads that a setting asks for: 0 is what OpenMP gives.
+int bl_threads(int setting);
+
+// --- bins ---
+
+typedef struct bl_bins {
+    unsigned dims;
+    size_t size;
+    size_t count;      // bins from 0 to size/2; bin `count` is the corners
+    double *cells;     // [count + 1] cells of the full spectrum in the bin: pairs are two
+    double *radius;    // [count + 1] mean radius, in steps of the transform
+    double *broadening;// [count + 1] the window divides the independent cells of the bin by it
+    double broad;      // the same for a region much wider than the window's main lobe
+} bl_bins;
+
+bl_status bl_bins_open(unsigned dims, size_t size, bl_window window, bl_bins *bins,
+                       bl_message *message);
+void bl_bins_close(bl_bins *bins);
+
+typedef struct bl_bin_sum {
+    double sum, square; // over the cells of the full spectrum
+} bl_bin_sum;
+
+// Sums a half spectrum, [size^(dims-1)][size/2+1], over its bins; sums has count + 1 entries.
+void bl_bins_reduce(const bl_bins *bins, const double *half, bl_bin_sum *sums);
+
+// The bin of a squared radius: the nearest integer of its root, the corners as one bin. The root
+// of an integer is never nearer than 1/(8r) to a half, so the double root decides rightly.
+static inline size_t bl_bin_of(double square, double count) {
+    double nearest = __builtin_sqrt(square) + 0.5;
+    return (size_t)(nearest < count ? nearest : count);
+}
+
+// The signed frequency of an index, as a magnitude.
+static inline size_t bl_folded(size_t index, size_t size) {
+    return index <= size - index ? index : size - index;
+}
+
+// --- transform ---
+
+typedef struct bl_transform {
+    unsigned dims;
+    size_t size, count, pitch; // pitch: floats between the rows of a slice or volume
+    size_t line_pitch;         // doubles between the buffers of two lines
+    double *window;            // [size]
+    float *window_float;
+    double scale;              // |X|^2 times it is the power of a cell: the variance it holds
+    double window_power;       // (sum of w^2)^dims
+    const bl_fft *whole;       // lines and volumes
+    const bl_fft *row, *columns, *last_columns; // slices
+} bl_transform;
+
+bl_status bl_transform_open(unsigned dims, size_t size, bl_window window, bl_transform *transform,
+                            bl_message *message);
+void bl_transform_close(bl_transform *transform);
+
+typedef struct bl_transformed {
+    double windowed; // sum (w x)^2 / sum w^2
+    bl_bin_sum *sums;// [count + 1] powers, filled; room for twice as many
+} bl_transformed;
+
+// Transforms one average: samples (double for a line, else float) less their mean. With `keep` the
+// powers of the half spectrum stay in the buffer, to be added by bl_transform_add.
+bl_status bl_transform_run(const bl_transform *transform, void *samples, double mean, int threads,
+                           int keep, bl_transformed *result, bl_message *message);
+// Adds the powers that bl_transform_run with `keep` left in the buffer to a half spectrum.
+void bl_transform_add(const bl_transform *transform, const void *samples, double *half);
+
+// --- limits ---
+
+// Fills dof, lower, upper, inflation and correlation from profiles, measure and psd.
+bl_status bl_psd_fill_limits(bl_psd *psd, const bl_bins *bins, double overlap, int on_grid,
+                             bl_message *message);
+// Quantile of chi-square over its degrees of freedom, fast for many of them.
+double bl_chi_square_ratio(double p, double dof);
+
+// Allocates the arrays of a psd and fills what follows from the bins and settings; the caller frees
+// the psd, on failure too.
+bl_status bl_psd_allocate(bl_psd *psd, const bl_bins *bins, bl_message *message);
+
+// From the sums over the bins of the averaged spectrum, in any unit.
+void bl_psd_fill_anisotropy(bl_psd *psd, const bl_bins *bins, const bl_bin_sum *sums);
+
+// BL_FAIL if psd->parseval_residual is above its limit.
+bl_status bl_psd_check_parseval(const bl_psd *psd, bl_message *message);
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Runs the built program, whose path is in BL_PROGRAM, and keeps what it says.
+#ifndef BL_TESTS_PROGRAM_H
+#define BL_TESTS_PROGRAM_H
+
+#include <stddef.h>
+
+typedef struct bl_ran {
+    int status;      // exit status; 128 + number if a signal ended it
+    char *out, *err; // all of it, ended by a zero byte
+    size_t out_size;
+} bl_ran;
+
+typedef struct bl_streams {
+    const char *input;  // text for stdin; NULL: /dev/null
+    const char *output; // a path that stdout is opened at; NULL: kept in bl_ran.out
+    int close_output;   // stdout is closed
+} bl_streams;
+
+// Runs with these words, ended by NULL; fails the test if the program cannot be started.
+bl_ran bl_run_words(const bl_streams *streams, const char *const *words);
+void bl_ran_free(bl_ran *ran);
+
+#define bl_run_program(...)                                                                        \
+    bl_run_words(NULL, (const char *const[]){__VA_ARGS__, NULL})
+
+// A folder of this test program's own, removed by bl_remove_folder; a path in it (of a static
+// buffer that eight calls share).
+const char *bl_test_folder(void);
+const char *bl_test_path(const char *name);
+int bl_remove_folder(void **state);
+
+// How many files the folder holds, hidden ones too.
+size_t bl_test_files(void);
+
+// The whole of a file as text; the caller frees it. NULL if it cannot be read.
+char *bl_test_read(const char *path);
+void bl_test_write(const char *path, const void *bytes, size_t size);
+
+#endif

@@ -1,0 +1,446 @@
+// SPDX-License-Identifier: MIT
+//
+// Closed-form spectra: lines, slices and shares against integrals of the volume density, and the
+// expected periodogram against its definition. The signals are bare sums of terms.
+#include "tests/test.h"
+
+#include "core/quadrature.h"
+#include "noises/closed_forms.h"
+#include "spectra/theory.h"
+
+static double covariance(const void *terms, const double lag[BL_AXES]) {
+    return bl_terms_covariance(terms, lag);
+}
+
+static double density(const void *terms, const double frequency[BL_AXES]) {
+    return bl_terms_density(terms, frequency);
+}
+
+static const bl_signal_functions functions = {.covariance = covariance, .density = density};
+
+enum { CATMULL_ROM, GRADIENT, GRADIENT_QUINTIC, LINEAR, HERMITE, RADIAL, SIGNALS };
+
+static bl_signal *make_signal(int which) {
+    bl_terms terms = {0};
+    switch (which) {
+    case CATMULL_ROM:
+        bl_terms_add_value(&terms, 1.0 / 3, BL_KERNEL_CATMULL_ROM);
+        break;
+    case GRADIENT:
+        bl_terms_add_gradient(&terms, 1.0 / 3, BL_KERNEL_RAMP_SMOOTH, BL_KERNEL_SMOOTH);
+        break;
+    case GRADIENT_QUINTIC:
+        bl_terms_add_gradient(&terms, 1.0 / 3, BL_KERNEL_RAMP_QUINTIC, BL_KERNEL_QUINTIC);
+        break;
+    case LINEAR:
+        bl_terms_add_value(&terms, 1.0 / 3, BL_KERNEL_LINEAR);
+        break;
+    case HERMITE:
+        bl_terms_add_value(&terms, 1.0 / 3, BL_KERNEL_SMOOTH);
+        bl_terms_add_gradient(&terms, 1.0 / 3, BL_KERNEL_TANGENT, BL_KERNEL_SMOOTH);
+        break;
+    default:
+        bl_terms_add_radial(&terms, 1.0 / 3);
+    }
+    bl_signal *signal = bl_signal_new(&functions, &terms, sizeof terms, "terms");
+    assert_non_null(signal);
+    signal->closed_form = 1;
+    signal->dimensions = 3;
+    bl_terms_describe(&terms, &signal->facts);
+    return signal;
+}
+
+static double variance_of(const bl_signal *signal) {
+    return bl_terms_variance(signal->parameters);
+}
+
+static const double x_axis[BL_AXES] = {1}, y_axis[BL_AXES] = {0, 1}, z_axis[BL_AXES] = {0, 0, 1};
+
+static void test_quadrature_is_exact_to_degree_31(void **state) {
+    (void)state;
+    for (int degree = 0; degree < 32; degree++) {
+        double sum = 0;
+        for (int n = 0; n < BL_QUADRATURE_NODES; n++)
+            sum += bl_quadrature_weight[n] * pow(bl_quadrature_node[n], degree);
+        assert_near(sum, degree & 1 ? 0 : 2.0 / (degree + 1), 1e-15);
+    }
+}
+
+static void test_directions_are_orthonormal(void **state) {
+    (void)state;
+    const double axes[][3] = {{1, 0, 0},
+                              {0, 1, 0},
+                              {0, 0, -3},
+                              {1, 1, 1},
+                              {-2, 5, 1},
+                              {1e-9, 1, 0},
+                              {1e300, 1e300, -1e300}};
+    for (size_t i = 0; i < sizeof axes / sizeof *axes; i++)
+        for (unsigned dims = 1; dims <= 3; dims++) {
+            double d[3][BL_AXES];
+            assert_true(bl_directions(dims, axes[i], d));
+            for (unsigned j = 0; j < dims; j++)
+                for (unsigned k = 0; k <= j; k++) {
+                    double dot = 0;
+                    for (int a = 0; a < BL_AXES; a++)
+                        dot += d[j][a] * d[k][a];
+                    assert_near(dot, j == k, 1e-15);
+                }
+            for (unsigned j = 0; dims == 2 && j < 2; j++) // normal to the axis
+                assert_near(d[j][0] * (axes[i][0] / 5) + d[j][1] * (axes[i][1] / 5) +
+                                d[j][2] * (axes[i][2] / 5),
+                            0, 1e-15 * fabs(axes[i][0] + axes[i][1] + axes[i][2]) + 1e-15);
+        }
+    double d[3][BL_AXES];
+    assert_true(bl_directions(2, (double[]){0, 0, 1}, d));
+    assert_memory_equal(d[0], x_axis, sizeof x_axis);
+    assert_memory_equal(d[1], y_axis, sizeof y_axis);
+    assert_false(bl_directions(1, (double[]){0, 0, 0}, d));
+    assert_false(bl_directions(2, (double[]){1, NAN, 0}, d));
+    assert_false(bl_directions(2, (double[]){1, INFINITY, 0}, d));
+}
+
+// --- lines and slices ----------------------------------------------------------------------------
+
+// Along an axis and in an axis plane a lattice term factors.
+static double product_form(const bl_terms *terms, int axes, const double f[3]) {
+    double sum = 0;
+    for (int i = 0; i < terms->count; i++) {
+        double product = terms->term[i].variance;
+        for (int a = 0; a < 3; a++) {
+            double k = bl_kernel_transform(terms->term[i].kernel[a], f[a]);
+            product *= a < axes ? k * k : bl_kernel_correlation(terms->term[i].kernel[a], 0);
+        }
+        sum += product;
+    }
+    return sum;
+}
+
+static void test_axis_lines_and_slices_are_products(void **state) {
+    (void)state;
+    for (int which = 0; which < RADIAL; which++) {
+        bl_signal *signal = make_signal(which);
+        double variance = variance_of(signal);
+        for (double f = 0; f <= 64; f = 1.7 * f + 0.1)
+            assert_near(bl_theory_line(signal, x_axis, f) / variance,
+                        product_form(signal->parameters, 1, (double[]){f, 0, 0}) / variance, 2e-14);
+        for (double f = 0; f < 4; f = 2 * f + 0.3)
+            assert_near(bl_theory_slice(signal, x_axis, y_axis, f, 0.4) / variance,
+                        product_form(signal->parameters, 2, (double[]){f, 0.4, 0}) / variance,
+                        1e-10);
+        bl_signal_free(signal);
+    }
+}
+
+// The integral of the density over the plane or line of frequencies left out. P3 is the transform
+// of a function that vanishes beyond `far`, so the sum over a grid of spacing below 1/far repeats R
+// without overlap and is exact but for the frequencies cut off at `limit`.
+static double integral_of_density(const bl_signal *signal, const double base[BL_AXES],
+                                  const double *u, const double *v, double limit) {
+    double step = 1.0 / 7.5, sum = 0;
+    long most = (long)(limit / step);
+    for (long i = -most; i <= most; i++)
+        for (long j = v ? -most : 0; j <= (v ? most : 0); j++) {
+            double f[BL_AXES] = {0};
+            for (int a = 0; a < 3; a++)
+                f[a] = base[a] + (double)i * step * u[a] + (v ? (double)j * step * v[a] : 0);
+            sum += bl_theory_volume(signal, f);
+        }
+    return sum * step * (v ? step : 1);
+}
+
+static void test_oblique_lines_are_integrals_over_planes(void **state) {
+    (void)state;
+    double d[3][BL_AXES], n[3][BL_AXES];
+    const double axes[2][3] = {{1, 1, 1}, {3, -1, 0.5}};
+    for (int which = 0; which < SIGNALS; which++) {
+        bl_signal *signal = make_signal(which);
+        // |k^|^2 falls as f^-4 for LINEAR, f^-6 and faster for the others.
+        double tolerance = which == LINEAR ? 2e-4 : 1e-5;
+        for (int i = 0; i < 2; i++) {
+            bl_directions(1, axes[i], d);
+            bl_directions(2, axes[i], n);
+            for (double f = 0.15; f < 2; f += 0.6) {
+                const double base[BL_AXES] = {f * d[0][0], f * d[0][1], f * d[0][2]};
+                double expected = integral_of_density(signal, base, n[0], n[1], 8);
+                assert_near(bl_theory_line(signal, d[0], f) / variance_of(signal),
+                            expected / variance_of(signal), tolerance);
+            }
+        }
+        bl_signal_free(signal);
+    }
+}
+
+static void test_slices_are_integrals_over_lines(void **state) {
+    (void)state;
+    double d[3][BL_AXES], n[3][BL_AXES];
+    const double axes[2][3] = {{0, 0, 1}, {3, -1, 0.5}};
+    for (int which = 0; which < SIGNALS; which++) {
+        bl_signal *signal = make_signal(which);
+        for (int i = 0; i < 2; i++) {
+            bl_directions(1, axes[i], n);
+            bl_directions(2, axes[i], d);
+            for (double f = 0.2; f < 1.5; f += 0.6) {
+                double base[BL_AXES] = {0};
+                for (int a = 0; a < 3; a++)
+                    base[a] = f * d[0][a] - 0.3 * d[1][a];
+                double expected = integral_of_density(signal, base, n[0], NULL, 40);
+                assert_near(bl_theory_slice(signal, d[0], d[1], f, -0.3) / variance_of(signal),
+                            expected / variance_of(signal), 1e-6);
+            }
+        }
+        bl_signal_free(signal);
+    }
+}
+
+// For a radial density, P1(f) = 2 pi int_f q P3(q) dq in any direction.
+static void test_radial_lines_are_the_same_in_all_directions(void **state) {
+    (void)state;
+    bl_signal *signal = make_signal(RADIAL);
+    double d[3][BL_AXES];
+    bl_directions(1, (double[]){1, 2, -0.3}, d);
+    for (double f = 0; f < 3; f += 0.37) {
+        double sum = 0, half = 1.0 / 16;
+        for (double left = f; left < 60; left += 2 * half)
+            for (int n = 0; n < BL_QUADRATURE_NODES; n++) {
+                double q = left + half * (1 + bl_quadrature_node[n]);
+                sum += half * bl_quadrature_weight[n] * 2 * M_PI * q *
+                       bl_theory_volume(signal, (double[BL_AXES]){0, 0, q});
+            }
+        double variance = variance_of(signal);
+        assert_near(bl_theory_line(signal, x_axis, f) / variance, sum / variance, 1e-9);
+        assert_near(bl_theory_line(signal, d[0], f) / variance, sum / variance, 1e-9);
+    }
+    bl_signal_free(signal);
+}
+
+// --- shares --------------------------------------------------------------------------------------
+
+static void test_line_shares_are_integrals_of_the_line(void **state) {
+    (void)state;
+    double d[3][BL_AXES];
+    bl_directions(1, (double[]){1, 1, 1}, d);
+    for (int which = 0; which < SIGNALS; which++) {
+        bl_signal *signal = make_signal(which);
+        double sum = 0, half = (0.7 - 0.3) / 2;
+        for (int n = 0; n < BL_QUADRATURE_NODES; n++)
+            sum += 2 * half * bl_quadrature_weight[n] *
+                   bl_theory_line(signal, d[0], 0.3 + half * (1 + bl_quadrature_node[n]));
+        assert_near(bl_theory_band(signal, 1, d, 0.3, 0.7), sum / variance_of(signal), 1e-13);
+        double x[3][BL_AXES] = {{1}};
+        assert_near(bl_theory_band(signal, 1, x, 1, INFINITY),
+                    bl_terms_share_above(signal->parameters, 1), 1e-14);
+        assert_near(bl_theory_band(signal, 1, x, 0, INFINITY), 1, 0);
+        bl_signal_free(signal);
+    }
+}
+
+// int over the disc or ball of radius b by quadrature in polar coordinates over the densities. They
+// are band-limited: a lag of 4 sqrt 3 turns 7 b times along a radius and needs a rule of more than
+// 2 pi 7 b points around a circle.
+enum { RADII = 4 * BL_QUADRATURE_NODES, TURN = 96 };
+
+static double radius_of(int i, double b) {
+    return b / 4 *
+           (i / BL_QUADRATURE_NODES + (1 + bl_quadrature_node[i % BL_QUADRATURE_NODES]) / 2);
+}
+
+static double radius_weight(int i, double b) {
+    return b / 8 * bl_quadrature_weight[i % BL_QUADRATURE_NODES];
+}
+
+static double disc_by_density(const bl_signal *signal, double b) {
+    double sum = 0;
+    for (int i = 0; i < RADII; i++)
+        for (int j = 0; j < TURN; j++) {
+            double r = radius_of(i, b), angle = 2 * M_PI * (j + 0.5) / TURN;
+            const double f[3] = {r * cos(angle), r * sin(angle), 0};
+            sum += radius_weight(i, b) * r * product_form(signal->parameters, 2, f);
+        }
+    return sum * 2 * M_PI / TURN;
+}
+
+static double ball_by_density(const bl_signal *signal, double b) {
+    double sum = 0;
+    for (int i = 0; i < RADII; i += 1)
+        for (int k = 0; k < 2 * BL_QUADRATURE_NODES; k++) // the upper half, twice
+            for (int j = 0; j < TURN / 4; j++) {          // a quarter: all are even in x and y
+                double r = radius_of(i, b), h = radius_of(k, 2);
+                double angle = 2 * M_PI * (j + 0.5) / TURN, side = r * sqrt(1 - h * h);
+                const double f[BL_AXES] = {side * cos(angle), side * sin(angle), r * h};
+                sum += 8 * radius_weight(i, b) * radius_weight(k, 2) * r * r *
+                       bl_theory_volume(signal, f);
+            }
+    return sum * 2 * M_PI / TURN;
+}
+
+static void test_slice_and_volume_shares_are_integrals_of_the_density(void **state) {
+    (void)state;
+    double d[3][BL_AXES], normal[3][BL_AXES], oblique[3][BL_AXES];
+    bl_directions(3, (double[]){0, 0, 1}, d);
+    bl_directions(2, (double[]){1, 2, 3}, oblique); // and its normal: space, turned
+    bl_directions(1, (double[]){1, 2, 3}, normal);
+    memcpy(oblique[2], normal[0], sizeof normal[0]);
+    for (int which = 0; which < SIGNALS; which++) {
+        bl_signal *signal = make_signal(which);
+        double variance = variance_of(signal);
+        for (double b = 0.4; b < 1.1; b += 0.6) {
+            if (which != RADIAL)
+                assert_near(bl_theory_band(signal, 2, d, 0, b),
+                            disc_by_density(signal, b) / variance, 1e-8);
+            double expected = ball_by_density(signal, b) / variance;
+            assert_near(bl_theory_band(signal, 3, d, 0, b), expected, 1e-8);
+            if (which == GRADIENT)
+                assert_near(bl_theory_band(signal, 3, oblique, 0, b), expected, 1e-6);
+        }
+        // Bands add up to all.
+        double low = bl_theory_band(signal, 2, d, 0, 0.5);
+        double high = bl_theory_band(signal, 2, d, 0.5, INFINITY);
+        assert_near(low + high, 1, 1e-12);
+        bl_signal_free(signal);
+    }
+}
+
+// --- the expected periodogram --------------------------------------------------------------------
+
+// From the definition: sum over all pairs of samples of w w' R e^(-2 pi i f (j - j')).
+static double by_pairs(const bl_signal *signal, unsigned dims, const double d[3][BL_AXES],
+                       double rate, size_t size, const double *w, const size_t bin[3]) {
+    size_t count = 1, counts[3] = {1, 1, 1};
+    for (unsigned a = 0; a < dims; a++)
+        count *= counts[a] = size;
+    double sum = 0, norm = 0;
+    for (size_t p = 0; p < count; p++)
+        for (size_t q = 0; q < count; q++) {
+            size_t rest_p = p, rest_q = q;
+            double weight = 1, turns = 0, lag[BL_AXES] = {0};
+            for (unsigned a = 0; a < dims; a++) {
+                size_t i = rest_p % size, j = rest_q % size;
+                rest_p /= size;
+                rest_q /= size;
+                weight *= w[i] * w[j];
+                double difference = (double)i - (double)j;
+                turns += difference * (double)bin[a] / (double)size;
+                for (int c = 0; c < BL_AXES; c++)
+                    lag[c] += difference * d[a][c] / rate;
+            }
+            sum += weight * covariance(signal->parameters, lag) * cos(2 * M_PI * turns);
+            norm += p == q ? weight : 0;
+        }
+    return sum / norm * pow(rate, -(double)dims);
+}
+
+static void check_periodogram(const bl_signal *signal, unsigned dims, const double axis[3],
+                              double rate, size_t size, bl_window window) {
+    double d[3][BL_AXES], w[64];
+    bl_directions(dims, axis, d);
+    bl_window_fill(window, size, w);
+    size_t bins = size / 2 + 1, rows = dims > 1 ? size : 1, planes = dims > 2 ? size : 1;
+    double *out = malloc(planes * rows * bins * sizeof *out);
+    assert_int_equal(bl_theory_periodogram(signal, dims, d, rate, size, window, out, NULL), BL_OK);
+    double peak = 0;
+    for (size_t i = 0; i < planes * rows * bins; i++)
+        peak = fmax(peak, out[i]);
+    for (size_t i = 0; i < planes; i += 3)
+        for (size_t j = 0; j < rows; j += 3)
+            for (size_t k = 0; k < bins; k += 2) {
+                size_t bin[3] = {k, 0, 0};
+                if (dims == 2)
+                    bin[0] = j, bin[1] = k;
+                if (dims == 3)
+                    bin[0] = i, bin[1] = j, bin[2] = k;
+                assert_near(out[(i * rows + j) * bins + k],
+                            by_pairs(signal, dims, d, rate, size, w, bin), 2e-13 * peak);
+            }
+    free(out);
+}
+
+static void test_periodogram_is_its_definition(void **state) {
+    (void)state;
+    const double z[3] = {0, 0, 1}, x[3] = {1, 0, 0}, oblique[3] = {1, 2, -1.5};
+    bl_signal *gradient = make_signal(GRADIENT), *radial = make_signal(RADIAL);
+    check_periodogram(gradient, 1, x, 4, 64, BL_WINDOW_BLACKMAN_HARRIS);
+    check_periodogram(gradient, 1, oblique, 4, 45, BL_WINDOW_HANN);
+    check_periodogram(gradient, 1, x, 16, 32, BL_WINDOW_RECTANGLE); // lags fold
+    check_periodogram(radial, 1, oblique, 1, 64, BL_WINDOW_BLACKMAN_HARRIS);
+    check_periodogram(gradient, 2, z, 2, 12, BL_WINDOW_BLACKMAN_HARRIS);
+    check_periodogram(gradient, 2, oblique, 2, 15, BL_WINDOW_HANN);
+    check_periodogram(gradient, 2, oblique, 8, 12, BL_WINDOW_BLACKMAN_HARRIS); // fold
+    check_periodogram(gradient, 3, z, 1, 6, BL_WINDOW_HANN);
+    check_periodogram(radial, 3, z, 2, 5, BL_WINDOW_BLACKMAN_HARRIS);
+    bl_signal_free(gradient);
+    bl_signal_free(radial);
+}
+
+// Summed over all frequencies it is the variance: r(0) = 1.
+static void test_periodogram_sums_to_the_variance(void **state) {
+    (void)state;
+    const size_t sizes[3] = {2048, 512, 64};
+    const double rates[3] = {16, 8, 4};
+    bl_signal *signal = make_signal(GRADIENT);
+    for (unsigned dims = 1; dims <= 3; dims++) {
+        double d[3][BL_AXES];
+        bl_directions(dims, (double[]){0, 0, 1}, d);
+        size_t size = sizes[dims - 1], bins = size / 2 + 1, rows = 1;
+        for (unsigned a = 1; a < dims; a++)
+            rows *= size;
+        double *out = malloc(rows * bins * sizeof *out), sum = 0;
+        assert_int_equal(bl_theory_periodogram(signal, dims, d, rates[dims - 1], size,
+                                               BL_WINDOW_BLACKMAN_HARRIS, out, NULL),
+                         BL_OK);
+        for (size_t i = 0; i < rows; i++)
+            for (size_t k = 0; k < bins; k++)
+                sum += out[i * bins + k] * (k == 0 || k == size / 2 ? 1 : 2);
+        free(out);
+        sum *= pow(rates[dims - 1] / (double)size, dims);
+        assert_near(sum / variance_of(signal), 1, 1e-12);
+    }
+    bl_signal_free(signal);
+}
+
+// Far from alias and with a window that leaks little it is the bare closed form, smoothed.
+static void test_periodogram_tends_to_the_bare_form(void **state) {
+    (void)state;
+    enum { SIZE = 4096 };
+    bl_signal *signal = make_signal(CATMULL_ROM);
+    double d[3][BL_AXES] = {{1}}, out[SIZE / 2 + 1];
+    assert_int_equal(
+        bl_theory_periodogram(signal, 1, d, 16, SIZE, BL_WINDOW_BLACKMAN_HARRIS, out, NULL), BL_OK);
+    for (int k = 16; k < SIZE / 20; k += 7)
+        assert_near(out[k] / bl_theory_line(signal, x_axis, k * 16.0 / SIZE), 1, 1e-2);
+    bl_signal_free(signal);
+}
+
+static void test_a_signal_without_closed_form_says_so(void **state) {
+    (void)state;
+    bl_signal *signal = make_signal(GRADIENT);
+    signal->closed_form = 0;
+    double out[64], d[3][BL_AXES] = {{1}};
+    bl_message message;
+    assert_int_equal(bl_theory_periodogram(signal, 1, d, 16, 64, BL_WINDOW_HANN, out, &message),
+                     BL_MISMATCH);
+    assert_non_null(strstr(message.text, "terms"));
+    assert_true(isnan(bl_theory_line(signal, x_axis, 0.5)));
+    assert_true(isnan(bl_theory_slice(signal, x_axis, z_axis, 0.5, 0)));
+    assert_true(isnan(bl_theory_volume(signal, x_axis)));
+    assert_true(isnan(bl_theory_band(signal, 1, d, 0, 1)));
+    bl_signal_free(signal);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_quadrature_is_exact_to_degree_31),
+        cmocka_unit_test(test_directions_are_orthonormal),
+        cmocka_unit_test(test_axis_lines_and_slices_are_products),
+        cmocka_unit_test(test_oblique_lines_are_integrals_over_planes),
+        cmocka_unit_test(test_slices_are_integrals_over_lines),
+        cmocka_unit_test(test_radial_lines_are_the_same_in_all_directions),
+        cmocka_unit_test(test_line_shares_are_integrals_of_the_line),
+        cmocka_unit_test(test_slice_and_volume_shares_are_integrals_of_the_density),
+        cmocka_unit_test(test_periodogram_is_its_definition),
+        cmocka_unit_test(test_periodogram_sums_to_the_variance),
+        cmocka_unit_test(test_periodogram_tends_to_the_bare_form),
+        cmocka_unit_test(test_a_signal_without_closed_form_says_so),
+    };
+    return bl_run_tests(tests);
+}

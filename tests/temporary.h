@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+//
+// A folder for the files of one test program, and looks at what stands in it.
+#ifndef BL_TESTS_TEMPORARY_H
+#define BL_TESTS_TEMPORARY_H
+
+#include <stddef.h>
+
+// The folder: made at the first call, removed with all that is in it when the program ends.
+const char *bl_temporary_folder(void);
+// The path of a name in it. The text lives until the tenth call from now.
+const char *bl_temporary_path(const char *name);
+// A whole file as text, which the caller frees; NULL if it cannot be read.
+char *bl_temporary_read(const char *path, size_t *size);
+// Writes a text to a path.
+void bl_temporary_write(const char *path, const void *bytes, size_t size);
+// Runs a program with its output thrown away; its exit status, or -1. `folder` may be NULL.
+int bl_temporary_run(const char *folder, const char *const arguments[]);
+
+#endif
