@@ -9,7 +9,8 @@
 #include "core/grammar.h"
 
 double bl_signal_far(const bl_signal *signal) {
-    return signal->facts.far > 0 ? signal->facts.far : NAN;
+    // From 2^52 on a double has no fraction, whatever the signal does with it.
+    return signal->facts.far > 0 ? fmin(signal->facts.far, 0x1p52) : 0x1p52;
 }
 
 bl_status bl_read_coordinate(const char *word, double far, const char *where, double *out,

@@ -75,7 +75,7 @@ static bl_status read_choice(const bl_parameter *parameter, const char *value, p
         memcpy((char *)block + parameter->offset, &i, sizeof i);
         if (!colon)
             return BL_OK;
-        uint32_t number;
+        uint32_t number = 0;
         bl_status status = read_integer(parameter, value + stem, (place){at.text, at.column + stem},
                                         &number, message);
         if (status == BL_OK)
@@ -99,7 +99,7 @@ static bl_status read_value(const bl_parameter *parameter, const char *value, pl
         break;
     }
     case BL_INTEGER: {
-        uint32_t number;
+        uint32_t number = 0;
         if ((status = read_integer(parameter, value, at, &number, message)) == BL_OK)
             memcpy(target, &number, sizeof number);
         break;
@@ -171,7 +171,7 @@ static void print_real(double value, char *out, size_t size) {
 static void print_value(const bl_parameter *parameter, const void *block, char *out, size_t size) {
     const char *source = (const char *)block + parameter->offset;
     uint64_t seed;
-    uint32_t number;
+    uint32_t number = 0;
     double real;
     switch (parameter->kind) {
     case BL_SEED:
