@@ -22,7 +22,7 @@
 // follows from the other three. Bits 31 to 12 of a word pass all this in 10^7 words; the bits
 // below do not (bit 0 of a product is a product of bits 0), so they are never used bare: a value
 // takes bits 31 to 12, and a gradient takes the word's size for its height and the bits of
-// word ^ rotate(word, 16), which have a good bit in each place, for its longitude.
+// word ^ rotate(word, 13), which have a good bit in each place, for its longitude.
 //
 // A component index (0 for the noises with one number a cell) adds to the sum and to the exclusive
 // or as a fourth axis would: it gives one cell several independent words.
@@ -35,7 +35,7 @@
 //
 // A gradient is a float triple by definition; the reference in double takes the same triple.
 //   sphere     uniform on the unit sphere: height z = word * 2^-31 as a signed number, radius
-//              sqrt(1 - z^2), longitude from 14 bits within a quadrant and two signs. Sine and
+//              sqrt(1 - z^2), longitude from 13 bits within a quadrant and two signs. Sine and
 //              cosine of pi/4 + a are E -+ O of an even and an odd polynomial, fitted so that
 //              E^2 + O^2 is constant to 7e-7: of unit length to 4e-7. The density of the
 //              longitude is uniform to 9e-4, with the symmetry of the square, so that the mean is
@@ -142,6 +142,8 @@ static inline void bl_perm256_words(const bl_lattice *lattice, unsigned componen
 // Numbers are made in units of 2^-31, so that a kernel scales once a sample and not once a corner.
 #define BL_LATTICE_UNIT 0x1p-31
 
+enum { BL_LATTICE_VALUES = 1 << 20 }; // how many values there are
+
 // The value of a word in units of 2^-31: exact, because its low 11 bits are 0.
 static inline float bl_lattice_value(uint32_t word) {
     return (float)(int32_t)((word & 0xfffff000u) | 0x800u);
@@ -176,14 +178,20 @@ typedef struct bl_sphere {
 #define BL_SPHERE_O1 -0.6496546932968489f
 #define BL_SPHERE_O0 0.09931634408635416f
 
+// A good bit in each place. The distance 13 keeps the places that the gradients use, 31, 30 and
+// 22 to 10, independent of one another and of the word's upper 13 bits, which are the height.
+static inline uint32_t bl_lattice_mixed(uint32_t word) {
+    return word ^ (word << 13 | word >> 19);
+}
+
 static inline bl_sphere bl_sphere_gradient(uint32_t word) {
-    uint32_t mixed = word ^ (word << 16 | word >> 16);
+    uint32_t mixed = bl_lattice_mixed(word);
     float z = (float)(int32_t)word;
     // |z| <= 2^31, so the root is of no negative number. Bit 31 turns by half a circle.
     float radius = sqrtf(0x1p62f - z * z);
     radius = bl_float_of_bits(bl_bits_of_float(radius) ^ (mixed & 0x80000000u));
-    // Bits 22 to 9 become the mantissa of a number in [1/4, 1/2), at the middles of 2^14 steps.
-    float t = bl_float_of_bits((mixed & 0x007ffe00u) | 0x3e800100u) - 0.375f;
+    // Bits 22 to 10 become the mantissa of a number in [1/4, 1/2), at the middles of 2^13 steps.
+    float t = bl_float_of_bits((mixed & 0x007ffc00u) | 0x3e800200u) - 0.375f;
     float s = t * t;
     float even = (s + BL_SPHERE_E1) * s + BL_SPHERE_E0;
     float odd = t * ((s * BL_SPHERE_O2 + BL_SPHERE_O1) * s + BL_SPHERE_O0);
@@ -215,7 +223,7 @@ static inline bl_vector bl_rejection_gradient(uint32_t word) {
 }
 
 static inline bl_vector bl_edge_gradient(uint32_t word) {
-    uint32_t mixed = word ^ (word << 16 | word >> 16);
+    uint32_t mixed = bl_lattice_mixed(word);
     uint32_t edge = (uint32_t)((uint64_t)mixed * 12 >> 32);
     float first = edge & 1 ? -1.0f : 1.0f, second = edge & 2 ? -1.0f : 1.0f;
     return (bl_vector){edge < 4 ? 0.0f : first, edge < 4 ? first : edge < 8 ? 0.0f : second,

@@ -76,7 +76,7 @@ static inline float quick_root(float s) {
     memcpy(&y, &bits, sizeof y);
     y = y * (2.38924456f - (s * y) * y);
     float root = s * y;
-    return root * (1.05592872f - 0.174424f * (root * y));
+    return root * (1.05592872f - 0.17442139f * (root * y));
 }
 
 #endif

@@ -93,28 +93,36 @@ static inline void place_impulses(splat_batch *batch, int from, double slab, con
     }
 }
 
-// Adds one impulse to a block of samples. `outer`: its distance from the line is at least 1.
-#define SPLAT_BLOCK(root, kernel)                                                                  \
-    _Pragma("omp simd") for (int l = 0; l < LANES; l++) {                                          \
-        float t = ramp[l] + centre;                                                                \
-        float r = root(t * t + square);                                                            \
-        sum[l] += amplitude * kernel(r);                                                           \
-    }
+// One impulse as a splat sees it.
+typedef struct splat_impulse {
+    float centre, square, amplitude;
+} splat_impulse;
 
-static inline void splat_outer(const float *ramp, float *restrict sum, float centre, float square,
-                               float amplitude, int blocks) {
-    for (int b = 0; b < blocks; b++, ramp += LANES, sum += LANES) {
-        if (b % 3 == 1)
-            SPLAT_BLOCK(quick_root, radial_twice_outer)
-        else
-            SPLAT_BLOCK(sqrtf, radial_twice_outer)
+// Adds an impulse to a block of samples. `outer`: its distance from the line is at least 1;
+// `quick`: by multiplications instead of the divider. Both are constants where it is called.
+static inline __attribute__((always_inline)) void
+splat_block(const float *restrict ramp, float *restrict sum, splat_impulse one, const int outer,
+            const int quick) {
+#pragma omp simd
+    for (int l = 0; l < LANES; l++) {
+        float t = ramp[l] + one.centre;
+        float squared = t * t + one.square;
+        float r = quick ? quick_root(squared) : sqrtf(squared);
+        sum[l] += one.amplitude * (outer ? radial_twice_outer(r) : radial_twice(r));
     }
 }
 
-static inline void splat_inner(const float *ramp, float *restrict sum, float centre, float square,
-                               float amplitude, int blocks) {
-    for (int b = 0; b < blocks; b++, ramp += LANES, sum += LANES)
-        SPLAT_BLOCK(sqrtf, radial_twice)
+static inline __attribute__((always_inline)) void
+splat_chord(const float *ramp, float *sum, splat_impulse one, int blocks, const int outer) {
+    for (; blocks >= 3; blocks -= 3, ramp += 3 * LANES, sum += 3 * LANES) {
+        splat_block(ramp, sum, one, outer, 0);
+        splat_block(ramp + LANES, sum + LANES, one, outer, 1);
+        splat_block(ramp + 2 * LANES, sum + 2 * LANES, one, outer, 0);
+    }
+    if (blocks >= 1)
+        splat_block(ramp, sum, one, outer, 0);
+    if (blocks >= 2)
+        splat_block(ramp + LANES, sum + LANES, one, outer, 1);
 }
 
 // Splats the impulses order[0..count), all of the same number of blocks and all outer or not; the
@@ -127,11 +135,9 @@ splat_class(const splat_batch *batch, const uint16_t *order, int count, splat_ru
         int n = blocks ? blocks : batch->blocks[i];
         const float *ramp = run->ramp + run->ramp_middle - n * (LANES / 2);
         float *sum = run->sum + batch->first[i];
-        float square = batch->impulses.square[i], amplitude = batch->impulses.amplitude[i];
-        if (outer)
-            splat_outer(ramp, sum, batch->centre[i], square, amplitude, n);
-        else
-            splat_inner(ramp, sum, batch->centre[i], square, amplitude, n);
+        splat_impulse one = {batch->centre[i], batch->impulses.square[i],
+                             batch->impulses.amplitude[i]};
+        splat_chord(ramp, sum, one, n, outer);
     }
 }
 

@@ -2,6 +2,8 @@
 //
 // The only C++ file, and the only one that knows OpenImageIO. Every function that C calls catches
 // what is thrown and turns it into a status, or into NaN where a value is asked for.
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -354,23 +356,30 @@ bl_status check_shape(const OIIO::ImageSpec &spec, const char *path, bl_message 
     return BL_OK;
 }
 
+// Rows y to end - 1 of one channel. Scanlines are read one by one: the library's way of reading
+// several at once does not notice when a TIFF ends early (OpenImageIO pull request 5336).
+bool read_rows(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int part, int channel, int y,
+               int end, float *out) {
+    const OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
+    if (spec.tile_width)
+        return input.read_tiles(part, 0, spec.x, spec.x + spec.width, y, end, spec.z, spec.z + 1,
+                                channel, channel + 1, type, out);
+    for (int line = y; line < end; line++, out += spec.width)
+        if (!input.read_scanlines(part, 0, line, line + 1, spec.z, channel, channel + 1, type, out))
+            return false;
+    return true;
+}
+
 // Reads all rows once in strips, which finds a damaged file now, and keeps them if asked to.
 bl_status read_all(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int part, int channel,
                    bool keep, const char *path, Pixels &pixels, bl_message *message) {
-    const int lines = spec.tile_height > 1 ? spec.tile_height : 64;
+    const int lines = spec.tile_width ? spec.tile_height : 64;
     std::vector<float> strip(pixels.width * static_cast<size_t>(lines));
     if (keep)
         pixels.held.resize(pixels.width * pixels.height);
     for (int y = spec.y; y < spec.y + spec.height; y += lines) {
         const int end = std::min(y + lines, spec.y + spec.height);
-        const bool good =
-            spec.tile_width
-                ? input.read_tiles(part, 0, spec.x, spec.x + spec.width, y, end, spec.z,
-                                   spec.z + 1, channel, channel + 1, OIIO::TypeDesc::FLOAT,
-                                   strip.data())
-                : input.read_scanlines(part, 0, y, end, spec.z, channel, channel + 1,
-                                       OIIO::TypeDesc::FLOAT, strip.data());
-        if (!good)
+        if (!read_rows(input, spec, part, channel, y, end, strip.data()))
             return report_reading(path, input.geterror(), message);
         if (keep)
             std::copy_n(strip.data(), pixels.width * static_cast<size_t>(end - y),

@@ -7,6 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/file.h"
 
@@ -19,8 +20,8 @@ const char *bl_ink_colour(bl_ink ink) {
 }
 
 // Pixels of the SVG; the page shows it at this width at most, so the text is read at FONT pixels.
-enum { WIDTH = 1000, LEFT = 74, RIGHT = 18, SCALE_RIGHT = 96, GAP_X = 22, GAP_Y = 38 };
-enum { HEAD = 84, FOOT = 58, FONT = 15 };
+enum { WIDTH = 1000, LEFT = 74, RIGHT = 18, SCALE_RIGHT = 96, GAP_X = 34, GAP_Y = 38 };
+enum { HEAD = 92, FOOT = 58, FONT = 15 };
 static const double PDF_INCHES = 7, POINTS_A_PIXEL = 0.75;
 
 // Where the panels stand, in pixels.
@@ -76,9 +77,10 @@ static void put_head(FILE *out, const bl_plot *plot, const layout *l, const char
             "set datafile columnheaders\n"
             "set border 3 linewidth 0.8 linecolor rgb '#555555'\n"
             "set tics nomirror out scale 0.6\n"
-            "set grid linecolor rgb '#e4e4e4' linewidth 0.6\n"
+            "set grid xtics ytics back linetype 1 linecolor rgb '#dcdcdc' linewidth 0.7\n"
             "set palette gray\n"
             "unset colorbox\n"
+            "unset key\n"
             "width = %d\n"
             "height = %.0f\n",
             WIDTH, l->height);
@@ -128,38 +130,84 @@ static void put_limit(FILE *out, const bl_limit *limit, int labelled) {
         put_label(out, limit->label, place);
 }
 
-static void put_series(FILE *out, const bl_series *series, int labelled) {
-    put_text(out, series->file);
-    fprintf(out, " using (column(");
-    put_text(out, series->x);
-    fprintf(out, ")):(column(");
-    put_text(out, series->y);
-    if (series->stroke == BL_STROKE_BAND) {
-        fprintf(out, ")):(column(");
-        put_text(out, series->upper);
-    }
-    fprintf(out, ")) ");
-    const char *colour = inks[series->ink];
-    switch (series->stroke) {
-    case BL_STROKE_BAND:
-        fprintf(out,
-                "with filledcurves linecolor rgb '%s' fillstyle transparent solid 0.28 noborder",
-                colour);
-        break;
-    case BL_STROKE_POINTS:
-        fprintf(out, "with points pointtype 7 pointsize 0.45 linecolor rgb '%s'", colour);
-        break;
-    case BL_STROKE_DASHED:
-        fprintf(out, "with lines dashtype (6,4) linewidth 1.6 linecolor rgb '%s'", colour);
-        break;
-    default:
-        fprintf(out, "with lines linewidth %s linecolor rgb '%s'",
-                series->stroke == BL_STROKE_THIN ? "1.3" : "2", colour);
-    }
-    fputs(labelled && series->label ? " title " : " notitle", out);
-    if (labelled && series->label)
-        put_text(out, series->label);
+static const double BAND_OPACITY = 0.28;
+
+// How a line of this stroke is drawn, in the words that `plot` and `set arrow` share.
+static void put_line_style(FILE *out, const bl_series *series) {
+    const char *width = series->stroke == BL_STROKE_LINE ? "2" : "1.3";
+    fprintf(out, "%slinewidth %s linecolor rgb '%s'",
+            series->stroke == BL_STROKE_DASHED ? "dashtype (6,4) " : "", width, inks[series->ink]);
 }
+
+static void put_column(FILE *out, const char *name) {
+    fputs("(column(", out);
+    put_text(out, name);
+    fputs("))", out);
+}
+
+static void put_series(FILE *out, const bl_series *series) {
+    put_text(out, series->file);
+    fputs(" using ", out);
+    put_column(out, series->x);
+    fputc(':', out);
+    put_column(out, series->y);
+    if (series->stroke == BL_STROKE_BAND) {
+        fputc(':', out);
+        put_column(out, series->upper);
+        fprintf(out,
+                " with filledcurves linecolor rgb '%s' fillstyle transparent solid %.2f noborder",
+                inks[series->ink], BAND_OPACITY);
+    } else if (series->stroke == BL_STROKE_POINTS) {
+        fprintf(out, " with points pointtype 7 pointsize 0.45 linecolor rgb '%s'",
+                inks[series->ink]);
+    } else {
+        fputs(" with lines ", out);
+        put_line_style(out, series);
+    }
+}
+
+// --- the legend, in one row under the title: gnuplot's own keeps to the width of one panel --------
+
+enum { SAMPLE = 32, LETTER = 8, LEGEND_GAP = 22, LEGEND_TOP = 48 }; // pixels; LETTER on average
+
+static double legend_width(const bl_series *series) {
+    return series->label ? SAMPLE + 8 + LETTER * (double)strlen(series->label) + LEGEND_GAP : 0;
+}
+
+static void put_legend_entry(FILE *out, const bl_series *series, const layout *l, double left) {
+    double from = left / WIDTH, to = (left + SAMPLE) / WIDTH, y = 1 - LEGEND_TOP / l->height;
+    double half = series->stroke == BL_STROKE_BAND ? 5 / l->height : 2.5 / l->height;
+    if (series->stroke == BL_STROKE_BAND || series->stroke == BL_STROKE_POINTS) {
+        double inset = series->stroke == BL_STROKE_POINTS ? (SAMPLE - 5.0) / 2 / WIDTH : 0;
+        fprintf(out,
+                "set object rectangle from screen %.5f, screen %.5f to screen %.5f, screen %.5f "
+                "fillcolor rgb '%s' fillstyle transparent solid %.2f noborder\n",
+                from + inset, y - half, to - inset, y + half, inks[series->ink],
+                series->stroke == BL_STROKE_BAND ? BAND_OPACITY : 1);
+    } else {
+        fprintf(out, "set arrow from screen %.5f, screen %.5f to screen %.5f, screen %.5f nohead ",
+                from, y, to, y);
+        put_line_style(out, series);
+        fputc('\n', out);
+    }
+    char place[80];
+    snprintf(place, sizeof place, "screen %.5f, screen %.5f left", (left + SAMPLE + 8) / WIDTH, y);
+    put_label(out, series->label, place);
+}
+
+static void put_legend(FILE *out, const bl_panel *panel, const layout *l) {
+    double width = -LEGEND_GAP;
+    for (size_t i = 0; i < panel->series_count; i++)
+        width += legend_width(&panel->series[i]);
+    double left = (WIDTH - width) / 2;
+    for (size_t i = 0; i < panel->series_count; i++) {
+        if (panel->series[i].label)
+            put_legend_entry(out, &panel->series[i], l, left);
+        left += legend_width(&panel->series[i]);
+    }
+}
+
+// --- panels -------------------------------------------------------------------------------------
 
 static void put_margins(FILE *out, const layout *l, size_t index) {
     double left = LEFT + (double)(index % l->columns) * (l->panel_width + GAP_X);
@@ -174,38 +222,38 @@ static void put_margins(FILE *out, const layout *l, size_t index) {
 // The texts of the whole page, which stand in the first panel because gnuplot keeps no page.
 static void put_page_texts(FILE *out, const bl_plot *plot, const layout *l) {
     put_label(out, plot->title, "screen 0.5, screen 1 center offset 0, character -1.2");
+    if (shows_images(plot) && plot->scale_label) {
+        char place[80];
+        snprintf(place, sizeof place, "screen %.5f, screen %.5f left offset 0, character 0.75",
+                 1 - (SCALE_RIGHT - 18.0) / WIDTH, 1 - HEAD / l->height);
+        put_label(out, plot->scale_label, place);
+    }
     put_label(out, plot->x.label, "screen 0.5, screen 0 center offset 0, character 1.0");
     put_label(out, plot->y.label,
               "screen 0, screen 0.5 center rotate by 90 offset character 1.4, 0");
-    fprintf(out, "set key horizontal center top at screen 0.5, screen %.5f samplen 2.4 width 1\n",
-            1 - 28 / l->height);
+    put_legend(out, &plot->panels[0], l);
 }
 
 // The codes 0..255 of the picture become values again, for the numbers of the scale.
 static void put_image(FILE *out, const bl_plot *plot, const layout *l, size_t index) {
     fprintf(out, "set cbrange [%.9g:%.9g]\n", plot->black, plot->white);
-    if (index + 1 == plot->panel_count) {
+    if (index + 1 == plot->panel_count)
         fprintf(out,
-                "set colorbox user origin screen %.5f, screen %.5f size screen %.5f, screen %.5f\n"
-                "set cblabel ",
+                "set colorbox user origin screen %.5f, screen %.5f size screen %.5f, screen %.5f\n",
                 1 - (SCALE_RIGHT - 18.0) / WIDTH, FOOT / l->height, 16.0 / WIDTH,
                 1 - (HEAD + FOOT) / l->height);
-        put_text(out, plot->scale_label ? plot->scale_label : "");
-        fputc('\n', out);
-    }
     fputs("plot ", out);
     put_text(out, plot->panels[index].image);
     fprintf(out,
             " binary filetype=png flipy origin=(%.9g,%.9g) dx=%.9g dy=%.9g using (%.9g + $1 * "
-            "%.9g) with image pixels notitle\n",
-            plot->x.from + plot->pixel / 2, plot->y.from + plot->pixel / 2, plot->pixel,
-            plot->pixel, plot->black, (plot->white - plot->black) / 255);
+            "%.9g) with image\n",
+            plot->pixel / 2, plot->pixel / 2, plot->pixel, plot->pixel, plot->black, (plot->white - plot->black) / 255);
 }
 
 static void put_panel(FILE *out, const bl_plot *plot, const layout *l, size_t index) {
     const bl_panel *panel = &plot->panels[index];
     int own_y = plot->y.from == plot->y.to;
-    fputs("unset label; unset arrow; unset key\n", out);
+    fputs("unset label; unset arrow; unset object\n", out);
     put_margins(out, l, index);
     put_axis(out, 'x', &plot->x, index + l->columns >= plot->panel_count);
     put_axis(out, 'y', &plot->y, index % l->columns == 0 || own_y);
@@ -227,7 +275,7 @@ static void put_panel(FILE *out, const bl_plot *plot, const layout *l, size_t in
     fputs("plot ", out);
     for (size_t i = 0; i < panel->series_count; i++) {
         fputs(i ? ", \\\n     " : "", out);
-        put_series(out, &panel->series[i], index == 0);
+        put_series(out, &panel->series[i]);
     }
     fputc('\n', out);
 }

@@ -54,7 +54,8 @@ typedef struct bl_panel {
     const char *title; // after its letter: "vnoise"
     const bl_series *series;
     size_t series_count;
-    const char *image; // or a grey PNG file, shown with the scale black to white
+    const char *image; // or a grey PNG file, shown with the scale black to white; its upper left
+                       // corner stands at 0, 0, so y.from > y.to shows it upright
 } bl_panel;
 
 typedef struct bl_axis {

@@ -18,9 +18,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include "core/file.h"
+
+enum { LARGE_PAGE = 1 << 21 }; // bytes, on x86-64 and most else
 
 struct bl_fft {
     bl_fft_shape shape;
@@ -48,8 +51,10 @@ static int is_shape(const bl_fft_shape *shape) {
     for (unsigned d = 0; d < shape->dims; d++)
         if (shape->size[d] < 1)
             return 0;
-    return shape->kind != BL_FFT_COLUMNS ||
-           (shape->dims == 1 && shape->columns >= 1 && shape->precision == BL_FFT_FLOAT);
+    if (shape->kind == BL_FFT_REAL || shape->kind == BL_FFT_BACK)
+        return 1;
+    return shape->dims == 1 && shape->precision == BL_FFT_FLOAT &&
+           (shape->kind == BL_FFT_ROW || shape->columns >= 1);
 }
 
 size_t bl_fft_bytes(const bl_fft_shape *shape) {
@@ -71,10 +76,15 @@ size_t bl_fft_bytes(const bl_fft_shape *shape) {
 }
 
 void *bl_fft_buffer(size_t bytes) {
-    if (bytes > SIZE_MAX - BL_FFT_ALIGNMENT)
+    if (bytes > SIZE_MAX - 2 * LARGE_PAGE)
         return NULL;
-    size_t whole = (bytes + BL_FFT_ALIGNMENT - 1) / BL_FFT_ALIGNMENT * BL_FFT_ALIGNMENT;
-    return aligned_alloc(BL_FFT_ALIGNMENT, whole ? whole : BL_FFT_ALIGNMENT);
+    // Columns of a large slice touch a page each: large pages save a third of the transform.
+    size_t alignment = bytes >= 4 * LARGE_PAGE ? LARGE_PAGE : BL_FFT_ALIGNMENT;
+    size_t whole = (bytes / alignment + 1) * alignment;
+    void *buffer = aligned_alloc(alignment, whole);
+    if (buffer && alignment == LARGE_PAGE)
+        madvise(buffer, whole, MADV_HUGEPAGE); // a hint: refusal changes nothing
+    return buffer;
 }
 
 // --- wisdom on disk ---
@@ -156,12 +166,14 @@ static void set_threads(bl_fft_precision precision, int threads) {
 }
 
 // Every size fits an int and every row 2*(n/2+1) an int too: checked at the door.
-static void *make_plan(const bl_fft_shape *shape, void *buffer, unsigned flags) {
+static void *make_plan(const bl_fft_shape *shape, void *buffer, void *other, unsigned flags) {
     int size[3];
     for (unsigned d = 0; d < shape->dims; d++)
         size[d] = (int)shape->size[d];
     int dims = (int)shape->dims, columns = (int)shape->columns;
     set_threads(shape->precision, shape->threads);
+    if (shape->kind == BL_FFT_ROW)
+        return fftwf_plan_dft_r2c_1d(size[0], other, buffer, flags | FFTW_DESTROY_INPUT);
     if (shape->kind == BL_FFT_COLUMNS)
         return fftwf_plan_many_dft(1, size, columns, buffer, NULL, columns, 1, buffer, NULL,
                                    columns, 1, FFTW_FORWARD, flags);
@@ -182,16 +194,16 @@ static void destroy_plan(bl_fft_precision precision, void *plan) {
 }
 
 // A measured plan whose wisdom is on disk, or NULL.
-static void *make_kept_plan(const bl_fft_shape *shape, void *buffer) {
+static void *make_kept_plan(const bl_fft_shape *shape, void *buffer, void *other) {
     char *folder = wisdom_folder();
     char *path = folder ? wisdom_path(folder, shape->precision) : NULL;
     int locked = path ? lock_wisdom(folder) : -1;
     void *plan = NULL;
     if (locked >= 0) {
         read_wisdom(path, shape->precision);
-        plan = make_plan(shape, buffer, FFTW_MEASURE | FFTW_WISDOM_ONLY);
+        plan = make_plan(shape, buffer, other, FFTW_MEASURE | FFTW_WISDOM_ONLY);
         if (!plan) {
-            plan = make_plan(shape, buffer, FFTW_MEASURE);
+            plan = make_plan(shape, buffer, other, FFTW_MEASURE);
             if (plan && write_wisdom(path, shape->precision) != BL_OK) {
                 destroy_plan(shape->precision, plan);
                 plan = NULL;
@@ -206,9 +218,11 @@ static void *make_kept_plan(const bl_fft_shape *shape, void *buffer) {
 
 static bl_status make_entry(const bl_fft_shape *shape, struct bl_fft **entry, bl_message *message) {
     void *buffer = bl_fft_buffer(bl_fft_bytes(shape)); // planning may overwrite it
+    void *other = shape->kind == BL_FFT_ROW ? bl_fft_buffer(bl_fft_bytes(shape)) : NULL;
     *entry = calloc(1, sizeof **entry);
-    if (!buffer || !*entry) {
+    if (!buffer || !*entry || (shape->kind == BL_FFT_ROW && !other)) {
         free(buffer);
+        free(other);
         free(*entry);
         return bl_report(message, BL_DEVICE,
                          "out of memory planning a transform (%zu bytes); use a smaller size",
@@ -216,12 +230,13 @@ static bl_status make_entry(const bl_fft_shape *shape, struct bl_fft **entry, bl
     }
     (*entry)->shape = *shape;
     if (shape->dims < 3)
-        (*entry)->plan = make_kept_plan(shape, buffer);
+        (*entry)->plan = make_kept_plan(shape, buffer, other);
     if (!(*entry)->plan) {
         forget_wisdom(shape->precision);
-        (*entry)->plan = make_plan(shape, buffer, FFTW_ESTIMATE);
+        (*entry)->plan = make_plan(shape, buffer, other, FFTW_ESTIMATE);
     }
     free(buffer);
+    free(other);
     if ((*entry)->plan)
         return BL_OK;
     free(*entry);
@@ -272,6 +287,10 @@ void bl_fft_run(const bl_fft *plan, void *buffer) {
         fftw_execute_dft_c2r(plan->plan, buffer, buffer);
     else
         fftw_execute_dft_r2c(plan->plan, buffer, buffer);
+}
+
+void bl_fft_run_row(const bl_fft *plan, float *samples, float *spectrum) {
+    fftwf_execute_dft_r2c(plan->plan, samples, (fftwf_complex *)spectrum);
 }
 
 bl_status bl_fft_bare_2d(size_t size, int threads, const bl_fft **plan, bl_message *message) {

@@ -25,7 +25,8 @@ enum { BL_FFT_ALIGNMENT = 64 }; // bytes: a cache line
 typedef enum bl_fft_kind {
     BL_FFT_REAL,   // real to complex
     BL_FFT_BACK,   // complex to real; n times the original comes back
-    BL_FFT_COLUMNS // complex, float, 1-D: `columns` interleaved columns, [size][columns]
+    BL_FFT_COLUMNS,// complex, float, 1-D: `columns` interleaved columns, [size][columns]
+    BL_FFT_ROW     // real to complex, float, 1-D, from one buffer to another: bl_fft_run_row
 } bl_fft_kind;
 
 typedef enum bl_fft_precision { BL_FFT_FLOAT, BL_FFT_DOUBLE } bl_fft_precision;
@@ -48,11 +49,15 @@ bl_status bl_fft_plan(const bl_fft_shape *shape, const bl_fft **plan, bl_message
 // Transforms one buffer in place. Thread-safe on different buffers.
 void bl_fft_run(const bl_fft *plan, void *buffer);
 
+// Transforms `samples`, which it may overwrite, into `spectrum`; both aligned as said above.
+void bl_fft_run_row(const bl_fft *plan, float *samples, float *spectrum);
+
 // The bytes that a real transform of this shape takes in its buffer; SIZE_MAX if no size_t holds
 // them.
 size_t bl_fft_bytes(const bl_fft_shape *shape);
 
-// An aligned buffer, not cleared; freed with free(). NULL out of memory.
+// An aligned buffer, not cleared, in large pages where it is large; freed with free(). NULL out of
+// memory.
 void *bl_fft_buffer(size_t bytes);
 
 // The yardstick of the benchmark: plans, once, the library's own in-place 2-D real transform of

@@ -28,10 +28,10 @@ enum { GROUP = 64 }; // bins that are judged together
 
 static const double WEAK = 1e-6; // of the strongest bin: weaker ones are not asked for c
 
-// Above 500 degrees of freedom the cube root of chi-square is normal (Wilson and Hilferty 1931) to
+// Above 200 degrees of freedom the cube root of chi-square is normal (Wilson and Hilferty 1931) to
 // within 1e-5 of the quantile at the levels in use, and costs nothing.
 double bl_chi_square_ratio(double p, double dof) {
-    if (dof < 500)
+    if (dof < 200)
         return bl_chi_square_quantile(p, dof) / dof;
     double spread = 2 / (9 * dof), root = 1 - spread + bl_normal_quantile(p) * sqrt(spread);
     return root > 0 ? root * root * root : 0;

@@ -77,6 +77,27 @@ static inline size_t bl_folded(size_t index, size_t size) {
     return index <= size - index ? index : size - index;
 }
 
+// --- loops ---
+
+enum { BL_CELLS_AT_ONCE = 16 };
+
+// The loops over every sample and every cell, compiled for more than one instruction set with the
+// same bits.
+typedef struct bl_loops {
+    // Sum and sum of squares of a row.
+    void (*sum_row)(const float *row, size_t size, double *sum, double *square);
+    // out = (row - mean) * window * factor; returns the sum of its squares. out may be row.
+    double (*weight_row)(const float *row, const float *window, size_t size, float mean,
+                         float factor, float *out);
+    // Cells x = from .. from+count-1 at ky^2 + kz^2 = rest, count at most BL_CELLS_AT_ONCE: adds
+    // |X|^2 times weight to the bins, and leaves it (unweighted) in place of the real parts. The
+    // cells of `mirror`, if not NULL, are in the same bins and are done along.
+    void (*bin_cells)(float *cells, float *mirror, size_t from, size_t count, double rest,
+                      const double *weight, size_t bin_count, bl_bin_sum *sums);
+} bl_loops;
+
+const bl_loops *bl_psd_loops(void);
+
 // --- transform ---
 
 typedef struct bl_transform {
@@ -87,6 +108,7 @@ typedef struct bl_transform {
     float *window_float;
     double scale;              // |X|^2 times it is the power of a cell: the variance it holds
     double window_power;       // (sum of w^2)^dims
+    const bl_loops *loops;
     const bl_fft *whole;       // lines and volumes
     const bl_fft *row, *columns, *last_columns; // slices
 } bl_transform;

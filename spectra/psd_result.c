@@ -78,28 +78,11 @@ void bl_psd_fill_anisotropy(bl_psd *psd, const bl_bins *bins, const bl_bin_sum *
 
 static double buffer_mean(const float *samples, size_t size, size_t pitch, double *rows,
                           int threads, double *square) {
-    enum { PARTS = 16 };
+    const bl_loops *loops = bl_psd_loops();
     double *row_squares = rows + size, sum = 0;
 #pragma omp parallel for schedule(static) num_threads(threads) if (threads > 1)
-    for (size_t y = 0; y < size; y++) {
-        double parts[PARTS] = {0}, squares[PARTS] = {0};
-        const float *row = samples + y * pitch;
-        for (size_t i = 0; i + PARTS <= size; i += PARTS)
-            for (size_t j = 0; j < PARTS; j++) {
-                double x = (double)row[i + j];
-                parts[j] += x;
-                squares[j] += x * x;
-            }
-        for (size_t i = size / PARTS * PARTS; i < size; i++) {
-            parts[0] += (double)row[i];
-            squares[0] += (double)row[i] * (double)row[i];
-        }
-        rows[y] = row_squares[y] = 0;
-        for (size_t j = 0; j < PARTS; j++) {
-            rows[y] += parts[j];
-            row_squares[y] += squares[j];
-        }
-    }
+    for (size_t y = 0; y < size; y++)
+        loops->sum_row(samples + y * pitch, size, &rows[y], &row_squares[y]);
     *square = 0;
     for (size_t y = 0; y < size; y++) {
         sum += rows[y];

@@ -14,10 +14,8 @@
 
 #include <omp.h>
 
-enum {
-    BLOCK = 16,     // columns: 128 bytes of each row; a block of 4096 rows stays in the L2 cache
-    LINE_FLOATS = 16 // floats in a cache line
-};
+// Columns: 128 bytes of each row, and a block of 4096 rows stays in the L2 cache.
+enum { BLOCK = BL_CELLS_AT_ONCE, LINE_FLOATS = 16 /* floats in a cache line */ };
 
 // Rows start on cache lines, an odd number of them apart, so that the cells of a column fall into
 // different sets of the cache.
@@ -34,6 +32,7 @@ static bl_status plan_transform(bl_transform *transform, bl_message *message) {
         shape.precision = transform->dims == 1 ? BL_FFT_DOUBLE : BL_FFT_FLOAT;
         return bl_fft_plan(&shape, &transform->whole, message);
     }
+    shape.kind = BL_FFT_ROW;
     bl_status status = bl_fft_plan(&shape, &transform->row, message);
     shape.kind = BL_FFT_COLUMNS;
     shape.columns = BLOCK;
@@ -49,6 +48,7 @@ bl_status bl_transform_open(unsigned dims, size_t size, bl_window window, bl_tra
                             bl_message *message) {
     *transform = (bl_transform){.dims = dims, .size = size, .count = size / 2 + 1};
     transform->pitch = dims == 2 ? bl_psd_pitch(size) : 2 * (size / 2 + 1);
+    transform->loops = bl_psd_loops();
     transform->line_pitch = (2 * (size / 2 + 1) + 7) / 8 * 8; // whole cache lines
     transform->window = malloc(size * sizeof(double));
     transform->window_float = malloc(size * sizeof(float));
@@ -102,45 +102,11 @@ static double run_line(const bl_transform *transform, double *samples, double me
 
 // --- slices and volumes ---
 
-// Weights a row of floats; returns the sum of its squares. Sixteen partial sums let the compiler
-// use whole vectors without leave to reorder.
-static double weight_row(float *row, const float *window, size_t size, float mean, float factor) {
-    enum { PARTS = 16 };
-    double parts[PARTS] = {0}, sum = 0;
-    size_t whole = size / PARTS * PARTS;
-    for (size_t i = 0; i < whole; i += PARTS)
-        for (size_t j = 0; j < PARTS; j++) {
-            float value = (row[i + j] - mean) * window[i + j] * factor;
-            row[i + j] = value;
-            parts[j] += (double)value * (double)value;
-        }
-    for (size_t i = whole; i < size; i++) {
-        row[i] = (row[i] - mean) * window[i] * factor;
-        sum += (double)row[i] * (double)row[i];
-    }
-    for (size_t j = 0; j < PARTS; j++)
-        sum += parts[j];
-    return sum;
-}
-
-// Adds the powers of one row of cells, x = from .. from+count-1 at the distance `rest` = ky^2+kz^2,
-// to the bins; |X|^2 comes back in `power`. The scale waits for doubles: in float, weak cells of a
-// large slice would be denormal numbers.
-static void sum_cells(const bl_transform *transform, const float *cells, size_t from, size_t count,
-                      double rest, float *power, bl_bin_sum *sums) {
-    size_t bins[BLOCK];
-    double bin_count = (double)transform->count;
-    for (size_t i = 0; i < count; i++) {
-        double x = (double)(from + i), nearest = sqrt(x * x + rest) + 0.5;
-        bins[i] = (size_t)(unsigned)(int)(nearest < bin_count ? nearest : bin_count);
-        power[i] = (cells[2 * i] * cells[2 * i] + cells[2 * i + 1] * cells[2 * i + 1]);
-    }
-    for (size_t i = 0; i < count; i++) {
-        size_t x = from + i;
-        double value = (double)power[i], weight = x == 0 || 2 * x == transform->size ? 1 : 2;
-        sums[bins[i]].sum += weight * value;
-        sums[bins[i]].square += weight * value * value;
-    }
+// Cells off the first and last column stand for two.
+static void fill_weights(const bl_transform *transform, size_t from, size_t columns,
+                         double weight[BLOCK]) {
+    for (size_t i = 0; i < columns; i++)
+        weight[i] = from + i == 0 || 2 * (from + i) == transform->size ? 1 : 2;
 }
 
 static void merge_sums(bl_bin_sum *into, const bl_bin_sum *parts, size_t bins, size_t blocks,
@@ -157,6 +123,7 @@ static void merge_sums(bl_bin_sum *into, const bl_bin_sum *parts, size_t bins, s
     }
 }
 
+// Row y and row size - y are as far from the origin, and are binned together.
 static void run_block(const bl_transform *transform, float *samples, size_t block, float *scratch,
                       int keep, bl_bin_sum *sums) {
     size_t size = transform->size, from = block * BLOCK;
@@ -165,12 +132,19 @@ static void run_block(const bl_transform *transform, float *samples, size_t bloc
         memcpy(scratch + y * 2 * columns, samples + y * transform->pitch + 2 * from,
                2 * columns * sizeof(float));
     bl_fft_run(columns == BLOCK ? transform->columns : transform->last_columns, scratch);
-    for (size_t y = 0; y < size; y++) {
-        float power[BLOCK];
-        double ky = (double)bl_folded(y, size);
-        sum_cells(transform, scratch + y * 2 * columns, from, columns, ky * ky, power, sums);
-        for (size_t i = 0; keep && i < columns; i++)
-            samples[y * transform->pitch + 2 * (from + i)] = power[i];
+    double weight[BLOCK];
+    fill_weights(transform, from, columns, weight);
+    for (size_t y = 0; 2 * y <= size; y++) {
+        int paired = y != 0 && 2 * y != size;
+        float *cells = scratch + y * 2 * columns;
+        float *mirror = paired ? scratch + (size - y) * 2 * columns : NULL;
+        transform->loops->bin_cells(cells, mirror, from, columns, (double)y * (double)y, weight,
+                                    transform->count, sums);
+        for (size_t i = 0; keep && i < columns; i++) {
+            samples[y * transform->pitch + 2 * (from + i)] = cells[2 * i];
+            if (paired)
+                samples[(size - y) * transform->pitch + 2 * (from + i)] = mirror[2 * i];
+        }
     }
 }
 
@@ -192,13 +166,14 @@ static bl_status run_slice(const bl_transform *transform, float *samples, double
     const float *window = transform->window_float;
 #pragma omp parallel num_threads(threads) if (threads > 1)
     {
+        float *own = scratch + (size_t)omp_get_thread_num() * scratch_floats;
 #pragma omp for schedule(static)
         for (size_t y = 0; y < size; y++) {
             float *row = samples + y * transform->pitch;
-            squares[y] = weight_row(row, window, size, (float)mean, window[y]);
-            bl_fft_run(transform->row, row);
+            squares[y] =
+                transform->loops->weight_row(row, window, size, (float)mean, window[y], own);
+            bl_fft_run_row(transform->row, own, row);
         }
-        float *own = scratch + (size_t)omp_get_thread_num() * scratch_floats;
 #pragma omp for schedule(dynamic, 1)
         for (size_t block = 0; block < blocks; block++)
             run_block(transform, samples, block, own, keep, parts + block * bins);
@@ -213,14 +188,15 @@ static bl_status run_slice(const bl_transform *transform, float *samples, double
     return BL_OK;
 }
 
-static double run_volume(const bl_transform *transform, float *samples, double mean, int keep,
+static double run_volume(const bl_transform *transform, float *samples, double mean,
                          bl_bin_sum *sums) {
     size_t size = transform->size, count = transform->count;
     const float *window = transform->window_float;
     double windowed = 0;
-    for (size_t row = 0; row < size * size; row++)
-        windowed += weight_row(samples + row * transform->pitch, window, size, (float)mean,
-                               window[row % size] * window[row / size]);
+    for (size_t row = 0; row < size * size; row++) {
+        float *at = samples + row * transform->pitch, factor = window[row % size] * window[row / size];
+        windowed += transform->loops->weight_row(at, window, size, (float)mean, factor, at);
+    }
     bl_fft_run(transform->whole, samples);
     bl_bin_sum *raw = sums + count + 1; // the caller gives twice the room
     memset(raw, 0, (count + 1) * sizeof *raw);
@@ -228,11 +204,11 @@ static double run_volume(const bl_transform *transform, float *samples, double m
         double ky = (double)bl_folded(row % size, size), kz = (double)bl_folded(row / size, size);
         float *cells = samples + row * transform->pitch;
         for (size_t from = 0; from < count; from += BLOCK) {
-            float power[BLOCK];
+            double weight[BLOCK];
             size_t columns = count - from < BLOCK ? count - from : BLOCK;
-            sum_cells(transform, cells + 2 * from, from, columns, ky * ky + kz * kz, power, raw);
-            for (size_t i = 0; keep && i < columns; i++)
-                cells[2 * (from + i)] = power[i];
+            fill_weights(transform, from, columns, weight);
+            transform->loops->bin_cells(cells + 2 * from, NULL, from, columns, ky * ky + kz * kz,
+                                        weight, count, raw);
         }
     }
     merge_sums(sums, raw, count + 1, 1, transform->scale);
@@ -247,7 +223,7 @@ bl_status bl_transform_run(const bl_transform *transform, void *samples, double 
     else if (transform->dims == 2)
         status = run_slice(transform, samples, mean, threads, keep, result, message);
     else
-        result->windowed = run_volume(transform, samples, mean, keep, result->sums);
+        result->windowed = run_volume(transform, samples, mean, result->sums);
     result->windowed /= transform->window_power;
     return status;
 }

@@ -4,6 +4,7 @@
 #include "spectra/window.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/grammar.h"
@@ -43,45 +44,66 @@ bl_status bl_window_read(const char *word, bl_window *window, bl_message *messag
                      nearest ? "'?" : "");
 }
 
-void bl_window_fill(bl_window window, size_t size, double *out) {
+// The window at an angle; cos(2p) and cos(3p) from cos(p), Chebyshev's polynomials.
+static double window_at(bl_window window, double phase) {
     const double *a = windows[window].a;
-    for (size_t n = 0; n < size; n++) {
-        // The symmetric half is taken from the smaller angle, so that w[n] == w[size - n] exactly.
-        size_t m = n <= size - n ? n : size - n;
-        double phase = 2 * M_PI * (double)m / (double)size;
-        out[n] = a[0] - a[1] * cos(phase) + a[2] * cos(2 * phase) - a[3] * cos(3 * phase);
-    }
+    double c = cos(phase);
+    return a[0] - a[1] * c + a[2] * (2 * c * c - 1) - a[3] * ((4 * c * c - 3) * c);
+}
+
+void bl_window_fill(bl_window window, size_t size, double *out) {
+    // One half, and its mirror: w[n] == w[size - n] exactly.
+    for (size_t n = 0; n <= size / 2 && n < size; n++)
+        out[n] = window_at(window, 2 * M_PI * (double)n / (double)size);
+    for (size_t n = size / 2 + 1; n < size; n++)
+        out[n] = out[size - n];
 }
 
 double bl_window_half_lobe(bl_window window) {
     return windows[window].half_lobe;
 }
 
+// The coefficient of exp(i j phase) in w.
+static double coefficient(bl_window window, long j) {
+    long order = labs(j);
+    if (order >= TERMS)
+        return 0;
+    double a = windows[window].a[order] * (order % 2 ? -1 : 1);
+    return order ? 0.5 * a : a;
+}
+
+// The coefficient of exp(i j phase) in w^2.
+static double square_coefficient(bl_window window, long j) {
+    double sum = 0;
+    for (long i = 1 - TERMS; i < TERMS; i++)
+        sum += coefficient(window, i) * coefficient(window, j - i);
+    return sum;
+}
+
 double bl_window_correlation(bl_window window, size_t size, size_t offset) {
-    // w^2 is a cosine sum of twice the terms: its transform has at most 2*TERMS - 1 harmonics, and
-    // the sum over n is exact.
-    double sum = 0, cosine = 0;
-    const double *a = windows[window].a;
-    for (size_t n = 0; n < size; n++) {
-        double phase = 2 * M_PI * (double)n / (double)size;
-        double w = a[0] - a[1] * cos(phase) + a[2] * cos(2 * phase) - a[3] * cos(3 * phase);
-        sum += w * w;
-        cosine += w * w * cos(phase * (double)(offset % size));
+    // The transform of w^2 over the samples: the harmonics that are equal modulo the size, added.
+    size_t shift = offset % size, least = shift < size - shift ? shift : size - shift;
+    double here = 0, centre = 0;
+    long last = 2 * (TERMS - 1);
+    if (least > (size_t)last)
+        return 0;
+    long period = size < 64 ? (long)size : 64; // beyond the harmonics any period is as good
+    for (long j = -last; j <= last; j++) {
+        if ((j - (long)least) % period == 0)
+            here += square_coefficient(window, j);
+        if (j % period == 0)
+            centre += square_coefficient(window, j);
     }
-    return cosine / sum * (cosine / sum);
+    return here / centre * (here / centre);
 }
 
 double bl_window_overlap(bl_window window, size_t size, size_t shift) {
-    const double *a = windows[window].a;
-    double sum = 0, product = 0, power[2];
+    double sum = 0, product = 0, step = 2 * M_PI / (double)size;
     for (size_t n = 0; n < size; n++) {
-        for (size_t k = 0; k < 2; k++) {
-            double phase = 2 * M_PI * (double)(n + k * shift) / (double)size;
-            power[k] = a[0] - a[1] * cos(phase) + a[2] * cos(2 * phase) - a[3] * cos(3 * phase);
-        }
-        sum += power[0] * power[0];
+        double w = window_at(window, step * (double)n);
+        sum += w * w;
         if (n + shift < size)
-            product += power[0] * power[1];
+            product += w * window_at(window, step * (double)(n + shift));
     }
     return product / sum * (product / sum);
 }

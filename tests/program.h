@@ -22,8 +22,7 @@ typedef struct bl_streams {
 bl_ran bl_run_words(const bl_streams *streams, const char *const *words);
 void bl_ran_free(bl_ran *ran);
 
-#define bl_run_program(...)                                                                        \
-    bl_run_words(NULL, (const char *const[]){__VA_ARGS__, NULL})
+#define bl_run_program(...) bl_run_words(NULL, (const char *const[]){__VA_ARGS__, NULL})
 
 // A folder of this test program's own, removed by bl_remove_folder; a path in it (of a static
 // buffer that eight calls share).

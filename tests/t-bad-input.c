@@ -183,8 +183,7 @@ static void test_outputs_that_cannot_be_written(void **state) {
         {64, "ending", {"render", "gnoise", "--width", "8", "-o", "a.jpg"}},
         {4, "No space left", {"list", "-o", "/dev/full"}},
         {4, "No space left", {"eval", "gnoise", "1", "-o", "/dev/full"}},
-        {4, "No space left",
-         {"spectrum", "gnoise", "--quick", "--size", "64", "-o", "/dev/full"}},
+        {4, "No space left", {"spectrum", "gnoise", "--quick", "--size", "64", "-o", "/dev/full"}},
         {4, "No space left", {"histogram", "gnoise", "--quick", "-o", "/dev/full"}},
     };
     EXPECT_ALL(list);
@@ -242,7 +241,8 @@ static void test_sizes_beyond_memory_are_refused_with_the_bytes(void **state) {
     (void)state;
     const char *png = bl_test_path("a.png");
     const bad_input list[] = {
-        {3, "8000000000000000000 bytes",
+        {3,
+         "8000000000000000000 bytes",
          {"render", "gnoise", "--width", "1000000000", "--height", "1000000000", "-o", png}},
         {3, "bytes", {"spectrum", "gnoise", "--dims", "2", "--size", "1000000"}},
         {3, "bytes", {"spectrum", "gnoise", "--dims", "3", "--size", "100000"}},

@@ -62,7 +62,7 @@ static bl_status plot_slices(bl_run *run, const char *place, const char *title,
     }
     const bl_plot plot = {.title = title,
                           .x = {"x, lattice cells", 0, CELLS, 4},
-                          .y = {"y, lattice cells", 0, CELLS, 4},
+                          .y = {"y, lattice cells", CELLS, 0, 4},
                           .panels = panels,
                           .panel_count = BL_SIX,
                           .columns = 3,

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+#
+# Completion of bandlimit for bash. Names of noises and figures come from the program itself; the
+# test t-cli compares the lists of verbs and options with it.
+
+_bandlimit_names() {
+    "${COMP_WORDS[0]}" list "$1" --names 2>/dev/null
+}
+
+_bandlimit() {
+    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+    local verbs="list show eval render spectrum histogram check reproduce bench help version"
+    local common="--json -o --output --seed --threads --quick --full --isa -q --quiet -h --help
+        --version"
+    local spectral="--dims --axis --rate --size --average --window --place --level"
+    local verb="" options="" words="" word files=""
+    local i
+
+    # bash splits --name=VALUE at the equals sign.
+    if [[ $current == "=" ]]; then
+        current=""
+    elif [[ $previous == "=" ]]; then
+        previous=${COMP_WORDS[COMP_CWORD - 2]}
+    fi
+    case $previous in
+    --window) COMPREPLY=($(compgen -W "blackman-harris hann rectangle" -- "$current")) ;;
+    --place) COMPREPLY=($(compgen -W "random lattice" -- "$current")) ;;
+    --axis | --normal) COMPREPLY=($(compgen -W "x y z" -- "$current")) ;;
+    --dims) COMPREPLY=($(compgen -W "1 2 3" -- "$current")) ;;
+    --isa) COMPREPLY=($(compgen -W "baseline v3 v4" -- "$current")) ;;
+    --format) COMPREPLY=($(compgen -W "svg pdf" -- "$current")) ;;
+    --bits) COMPREPLY=($(compgen -W "8 16" -- "$current")) ;;
+    -o | --output) COMPREPLY=($(compgen -f -- "$current")) ;;
+    --seed | --threads | --rate | --size | --average | --level | --band | --leak | --guard | \
+        --samples | --bins | --range | --width | --height | --scale | --at) return ;;
+    esac
+    [[ ${#COMPREPLY[@]} -gt 0 ]] && return
+
+    for ((i = 1; i < COMP_CWORD; i++)); do
+        word=${COMP_WORDS[i]}
+        if [[ $word != -* && " $verbs " == *" $word "* ]]; then
+            verb=$word
+            break
+        fi
+    done
+    case $verb in
+    "") words=$verbs ;;
+    list)
+        options="--names"
+        words="noises filters textures figures"
+        ;;
+    show) words="$(_bandlimit_names noises) $(_bandlimit_names figures)" files=yes ;;
+    eval) words=$(_bandlimit_names noises) files=yes ;;
+    render)
+        options="--width --height --scale --at --normal --range --bits"
+        words=$(_bandlimit_names noises) files=yes
+        ;;
+    spectrum)
+        options="$spectral --band"
+        words=$(_bandlimit_names noises) files=yes
+        ;;
+    histogram)
+        options="--samples --bins --range --level"
+        words=$(_bandlimit_names noises) files=yes
+        ;;
+    check)
+        options="$spectral --band --leak --guard"
+        words=$(_bandlimit_names noises) files=yes
+        ;;
+    reproduce)
+        options="--format"
+        words=$(_bandlimit_names figures)
+        ;;
+    bench)
+        options="--check"
+        words=$(_bandlimit_names noises)
+        ;;
+    help) words=$verbs ;;
+    esac
+    if [[ $current == -* ]]; then
+        COMPREPLY=($(compgen -W "$options $common" -- "$current"))
+    else
+        COMPREPLY=($(compgen -W "$words" -- "$current"))
+        [[ $files ]] && COMPREPLY+=($(compgen -f -- "$current"))
+    fi
+}
+
+complete -o filenames -o bashdefault -F _bandlimit bandlimit

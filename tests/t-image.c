@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: MIT
+//
+// Images as signals: pictures made by oiiotool, with known answers; our own writer read back; and
+// every way in which a file can be bad.
+#include "tests/temporary.h"
+#include "tests/test.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "reports/image.h"
+#include "reports/source.h"
+#include "spectra/psd.h"
+
+enum { ARGUMENTS = 24 };
+
+// Runs oiiotool in the temporary folder on words separated by blanks.
+static void oiiotool(const char *words) {
+    char copy[512];
+    const char *arguments[ARGUMENTS] = {"oiiotool"};
+    int count = 1;
+    snprintf(copy, sizeof copy, "%s", words);
+    for (char *word = strtok(copy, " "); word && count < ARGUMENTS - 1; word = strtok(NULL, " "))
+        arguments[count++] = word;
+    if (bl_temporary_run(bl_temporary_folder(), arguments) != 0)
+        fail_msg("oiiotool %s failed", words);
+}
+
+// Opens a file of the temporary folder with settings behind its name.
+static bl_status open_it(const char *name, const char *settings, bl_signal **signal,
+                         bl_message *message) {
+    char text[1024];
+    snprintf(text, sizeof text, "%s%s", bl_temporary_path(name), settings);
+    *signal = NULL;
+    message->text[0] = '\0';
+    return bl_source_open(text, BL_ISA_BEST, signal, message);
+}
+
+static bl_signal *open_good(const char *name, const char *settings) {
+    bl_signal *signal;
+    bl_message message;
+    if (open_it(name, settings, &signal, &message) != BL_OK)
+        fail_msg("%s%s: %s", name, settings, message.text);
+    return signal;
+}
+
+static void refuse(const char *name, const char *settings, bl_status expected, const char *word) {
+    bl_signal *signal;
+    bl_message message;
+    bl_status status = open_it(name, settings, &signal, &message);
+    if (status != expected || !strstr(message.text, word))
+        fail_msg("%s%s: status %d, expected %d; '%s' should say '%s'", name, settings, status,
+                 expected, message.text, word);
+    assert_null(signal);
+}
+
+static double at(const bl_signal *signal, double x, double y) {
+    const double place[BL_AXES] = {x, y, 0, 0};
+    return bl_signal_value(signal, place);
+}
+
+// --- reading ------------------------------------------------------------------------------------
+
+static void test_white_noise_has_its_variance_and_a_flat_spectrum(void **state) {
+    (void)state;
+    oiiotool("--create 256x256 1 --noise:type=gaussian:mean=0.5:stddev=0.25:mono=1 -d float -o "
+             "white.exr");
+    bl_signal *signal = open_good("white.exr", ":spacing=0.25");
+    bl_psd_settings settings = bl_psd_default_settings(2);
+    settings.averages = 1;
+    settings.axis[2] = 1;
+    bl_message message = {""};
+    bl_psd psd;
+    if (bl_psd_measure(signal, &settings, &psd, &message) != BL_OK)
+        fail_msg("%s", message.text);
+    assert_near(psd.settings.rate, 4, 0);
+    assert_near(psd.variance.value, 0.0625, 0.004);
+    bl_band low = {.from = 0, .to = 1}, high = {.from = 1, .to = 2};
+    bl_psd_band(&psd, &low);
+    bl_psd_band(&psd, &high);
+    // Areas of the disc and of the ring, over that of the square of side 4. One disc of 256^2/20
+    // window-independent cells: 4 standard errors are about 0.03.
+    assert_near(low.fraction.value, acos(-1) / 16, 0.03);
+    assert_near(high.fraction.value, 3 * acos(-1) / 16, 0.05);
+    bl_psd_free(&psd);
+    bl_signal_free(signal);
+}
+
+static void test_a_sine_shows_as_one_line(void **state) {
+    (void)state;
+    enum { SIDE = 128, WAVES = 16 };
+    float *values = malloc(sizeof(float) * SIDE * SIDE);
+    for (int j = 0; j < SIDE; j++)
+        for (int i = 0; i < SIDE; i++)
+            values[j * SIDE + i] = (float)sin(2 * acos(-1) * WAVES * i / SIDE);
+    bl_message message = {""};
+    const bl_image image = {.width = SIDE, .height = SIDE, .values = values, .spacing = 0.5};
+    assert_int_equal(bl_image_write(bl_temporary_path("sine.exr"), &image, &message), BL_OK);
+    free(values);
+    bl_signal *signal = open_good("sine.exr", ""); // the spacing stands in the file
+    assert_near(signal->extent.spacing[0], 0.5, 0);
+    bl_psd_settings settings = bl_psd_default_settings(2);
+    settings.averages = 1;
+    settings.axis[2] = 1;
+    bl_psd psd;
+    if (bl_psd_measure(signal, &settings, &psd, &message) != BL_OK)
+        fail_msg("%s", message.text);
+    bl_band line = {.from = 0.2, .to = 0.3}; // 16 waves in 64 units
+    bl_psd_band(&psd, &line);
+    assert_near(psd.variance.value, 0.5, 0.01);
+    assert_true(line.fraction.value > 0.99);
+    bl_psd_free(&psd);
+    bl_signal_free(signal);
+}
+
+static void test_integers_are_divided_by_their_full_scale(void **state) {
+    (void)state;
+    oiiotool("--pattern constant:color=0.2,0.4,0.6 8x4 3 -d uint8 -o eight.png");
+    oiiotool("--pattern constant:color=0.2,0.4,0.6 8x4 3 -d uint16 -o sixteen.png");
+    oiiotool("--pattern constant:color=0.2,-0.4,6 8x4 3 -d half -o half.exr");
+    bl_signal *eight = open_good("eight.png", ":channel=G");
+    bl_signal *sixteen = open_good("sixteen.png", ":channel=2");
+    bl_signal *half = open_good("half.exr", ":channel=B");
+    assert_near(at(eight, 0, 0), 102.0 / 255, 1e-7); // no colour curve
+    assert_near(at(sixteen, 7, 3), 39321.0 / 65535, 1e-7);
+    assert_near(at(half, 0, 0), 6, 0);
+    assert_int_equal(eight->dimensions, 2);
+    assert_int_equal(eight->extent.size[0], 8);
+    assert_int_equal(eight->extent.size[1], 4);
+    assert_string_equal(eight->name, "image");
+    bl_signal_free(eight);
+    bl_signal_free(sixteen);
+    bl_signal_free(half);
+}
+
+static void test_alpha_does_not_change_the_values(void **state) {
+    (void)state;
+    oiiotool("--pattern constant:color=0.8,0.8,0.8,0.5 8x8 4 --iscolorspace linear --unpremult "
+             "-d uint8 -o alpha.png");
+    bl_signal *colour = open_good("alpha.png", ":channel=R");
+    bl_signal *blocks = open_good("alpha.png", ":channel=R,memory=0");
+    assert_near(at(colour, 3, 3), at(blocks, 3, 3), 0);
+    assert_true(at(colour, 3, 3) > 0.79); // not 0.8 times alpha, nor that again
+    bl_signal_free(colour);
+    bl_signal_free(blocks);
+}
+
+// An image whose pixel (i, j) is i + 1000 j, as scanlines and as tiles.
+static void make_ramp(int width, int height) {
+    float *values = malloc(sizeof(float) * (size_t)(width * height));
+    for (int j = 0; j < height; j++)
+        for (int i = 0; i < width; i++)
+            values[j * width + i] = (float)(i + 1000 * j);
+    bl_message message = {""};
+    const bl_image image = {.width = (size_t)width, .height = (size_t)height, .values = values};
+    assert_int_equal(bl_image_write(bl_temporary_path("ramp.tif"), &image, &message), BL_OK);
+    free(values);
+    oiiotool("ramp.tif --tile 32 32 -o tiled.exr");
+}
+
+static void check_ramp(const bl_signal *signal, int width, int height) {
+    float row[700], across[700];
+    double x[700], y[700];
+    const double zeros[700] = {0};
+    for (int j = 0; j < height; j += 37) {
+        const double start[BL_AXES] = {5 * 0.5, j * 0.5, 0, 0}, step[BL_AXES] = {0.5, 0, 0, 0};
+        bl_signal_row(signal, start, step, (size_t)width - 5, row);
+        for (int i = 0; i < width - 5; i++)
+            assert_near((double)row[i], i + 5 + 1000 * j, 0);
+    }
+    const double start[BL_AXES] = {3 * 0.5, 0, 0, 0}, step[BL_AXES] = {0, 0.5, 0, 0};
+    bl_signal_row(signal, start, step, (size_t)height, row);
+    for (int j = 0; j < height; j++) {
+        x[j] = 3 * 0.5;
+        y[j] = j * 0.5;
+        assert_near((double)row[j], 3 + 1000 * j, 0);
+    }
+    const double *const points[BL_AXES] = {x, y, zeros, zeros};
+    bl_signal_points(signal, points, (size_t)height, across);
+    assert_memory_equal(row, across, sizeof *row * (size_t)height);
+}
+
+static void test_rows_columns_and_points_agree_in_memory_and_in_blocks(void **state) {
+    (void)state;
+    make_ramp(300, 200);
+    static const char *const files[] = {"ramp.tif", "tiled.exr"};
+    for (int f = 0; f < 2; f++) {
+        bl_signal *held = open_good(files[f], ":spacing=1/2");
+        bl_signal *blocks = open_good(files[f], ":spacing=1/2,memory=0");
+        check_ramp(held, 300, 200);
+        check_ramp(blocks, 300, 200);
+        bl_signal_free(held);
+        bl_signal_free(blocks);
+    }
+}
+
+static void test_a_place_takes_the_nearest_pixel_and_nan_outside(void **state) {
+    (void)state;
+    make_ramp(300, 200);
+    bl_signal *signal = open_good("ramp.tif", ":spacing=2");
+    assert_near(at(signal, 2.9, 0), 1, 0);
+    assert_near(at(signal, 3.1, 2.2), 1002, 0);
+    assert_near(at(signal, 598.9, 398.9), 299 + 199000, 0);
+    assert_true(isnan(at(signal, -1.1, 0)));
+    assert_true(isnan(at(signal, 600, 0)));
+    assert_true(isnan(at(signal, 0, 400)));
+    assert_true(isnan(at(signal, NAN, 0)));
+    assert_true(isnan(at(signal, INFINITY, 1e300)));
+    float row[4];
+    const double start[BL_AXES] = {596, 0, 0, 0}, step[BL_AXES] = {2, 0, 0, 0};
+    bl_signal_row(signal, start, step, 4, row);
+    assert_near((double)row[1], 299, 0);
+    assert_true(isnan(row[2]));
+    bl_signal_free(signal);
+}
+
+static void test_a_noise_is_not_taken_for_a_file(void **state) {
+    (void)state;
+    bl_signal *signal = NULL;
+    bl_message message = {""};
+    assert_int_equal(bl_source_open("gnoise:seed=7", BL_ISA_BEST, &signal, &message), BL_OK);
+    assert_string_equal(signal->name, "gnoise");
+    bl_signal_free(signal);
+    assert_int_equal(bl_source_open("gnoize", BL_ISA_BEST, &signal, &message), BL_USAGE);
+    assert_non_null(strstr(message.text, "did you mean 'gnoise'"));
+    assert_true(bl_source_is_file("grain.exr:spacing=1"));
+    assert_true(bl_source_is_file("./grain"));
+    assert_false(bl_source_is_file("gnoise:seed=7"));
+    assert_false(bl_source_is_file(""));
+}
+
+// --- refusals -----------------------------------------------------------------------------------
+
+static void test_every_bad_file_is_refused_with_its_reason(void **state) {
+    (void)state;
+    static const char noise[] = "this is not an image at all, whatever its name may say";
+    oiiotool("--create 64x64 3 --noise -d half -o whole.exr");
+    oiiotool("--create 64x64 3 --noise -d uint8 -o whole.png");
+    oiiotool("--create 64x64 3 --noise -d float -o whole.tif");
+    oiiotool("whole.exr --dup --siappend -o parts.exr");
+    bl_temporary_write(bl_temporary_path("empty.exr"), "", 0);
+    bl_temporary_write(bl_temporary_path("text.exr"), noise, sizeof noise);
+    bl_temporary_write(bl_temporary_path("text.txt"), noise, sizeof noise);
+    mkdir(bl_temporary_path("folder.exr"), 0777);
+    mkfifo(bl_temporary_path("pipe.exr"), 0777);
+    static const char *const names[] = {"exr", "png", "tif"};
+    for (int i = 0; i < 3; i++) {
+        char from[32], to[32];
+        size_t size;
+        snprintf(from, sizeof from, "whole.%s", names[i]);
+        snprintf(to, sizeof to, "cut.%s", names[i]);
+        char *bytes = bl_temporary_read(bl_temporary_path(from), &size);
+        bl_temporary_write(bl_temporary_path(to), bytes, size / 2);
+        free(bytes);
+        refuse(to, "", BL_DEVICE, "cannot read");
+    }
+    refuse("missing.exr", "", BL_DEVICE, "No such file");
+    refuse("folder.exr", "", BL_DEVICE, "folder");
+    refuse("pipe.exr", "", BL_DEVICE, "pipe");
+    refuse("empty.exr", "", BL_DEVICE, "empty");
+    refuse("text.exr", "", BL_DEVICE, "cannot read");
+    refuse("text.txt", "", BL_DEVICE, "cannot read");
+    refuse("parts.exr", "", BL_MISMATCH, "2 parts");
+    refuse("parts.exr", ":part=2", BL_USAGE, "2 parts");
+    if (geteuid() != 0) { // nothing is closed to root
+        chmod(bl_temporary_path("whole.tif"), 0);
+        refuse("whole.tif", "", BL_DEVICE, "denied");
+    }
+    bl_signal_free(open_good("parts.exr", ":part=1"));
+}
+
+static void test_damaged_bytes_never_crash(void **state) {
+    (void)state;
+    static const char *const names[] = {"whole.exr", "whole.png", "whole.tif"};
+    oiiotool("--create 32x32 1 --noise -d half -o whole.exr");
+    oiiotool("--create 32x32 1 --noise -d uint8 -o whole.png");
+    oiiotool("--create 32x32 1 --noise -d float -o whole.tif");
+    uint64_t random = 1;
+    for (size_t trial = 0; trial < bl_test_scaled(90, 9); trial++) {
+        size_t size;
+        char bad[32];
+        char *bytes = bl_temporary_read(bl_temporary_path(names[trial % 3]), &size);
+        for (int k = 0; k < 4; k++) {
+            random = random * 6364136223846793005u + 1442695040888963407u;
+            bytes[(random >> 33) % (k < 2 ? 200 : size)] ^= (char)(1 << (random >> 61));
+        }
+        snprintf(bad, sizeof bad, "bad%s", names[trial % 3] + 5);
+        bl_temporary_write(bl_temporary_path(bad), bytes, size);
+        free(bytes);
+        bl_signal *signal;
+        bl_message message;
+        bl_status status = open_it(bad, "", &signal, &message);
+        assert_true(status == BL_OK || message.text[0]);
+        if (status == BL_OK)
+            (void)at(signal, 1, 1);
+        bl_signal_free(signal);
+    }
+}
+
+static void test_every_bad_setting_is_refused_with_its_reason(void **state) {
+    (void)state;
+    oiiotool("--create 64x64 3 --noise -d half -o good.exr");
+    refuse("good.exr", ":channel=Q", BL_USAGE, "R, G, B");
+    refuse("good.exr", ":channel=3", BL_USAGE, "0 to 2");
+    refuse("good.exr", ":channel=R,channel=G", BL_USAGE, "twice");
+    refuse("good.exr", ":spacing=0", BL_USAGE, "above 0");
+    refuse("good.exr", ":spacing=-1", BL_USAGE, "spacing");
+    refuse("good.exr", ":spacing=abc", BL_USAGE, "spacing");
+    refuse("good.exr", ":spacing=nan", BL_USAGE, "spacing");
+    refuse("good.exr", ":part=1.5", BL_USAGE, "part");
+    refuse("good.exr", ":part=-1", BL_USAGE, "part");
+    refuse("good.exr", ":chanel=R", BL_USAGE, "did you mean 'channel'");
+    refuse("good.exr", ":memory=-1", BL_USAGE, "memory");
+    oiiotool("good.exr --attrib bandlimit:spacing wide -o odd.exr");
+    refuse("odd.exr", "", BL_MISMATCH, "wide");
+    bl_signal_free(open_good("odd.exr", ":spacing=2"));
+}
+
+// --- writing ------------------------------------------------------------------------------------
+
+static const float small[] = {-1, -0.5f, 0, 0.5f, 1, 2, -2, NAN};
+static const bl_attribute note = {"bandlimit:signal", "gnoise:seed=7"};
+
+static bl_image small_image(void) {
+    return (bl_image){.width = 4,
+                      .height = 2,
+                      .values = small,
+                      .spacing = 0.1,
+                      .black = -1,
+                      .white = 1,
+                      .attributes = &note,
+                      .attribute_count = 1};
+}
+
+static void test_exr_and_tiff_keep_the_floats_and_the_spacing(void **state) {
+    (void)state;
+    static const char *const names[] = {"small.exr", "small.tif", "SMALL.TIFF"};
+    const bl_image image = small_image();
+    for (int f = 0; f < 3; f++) {
+        bl_message message = {""};
+        if (bl_image_write(bl_temporary_path(names[f]), &image, &message) != BL_OK)
+            fail_msg("%s", message.text);
+        bl_signal *signal = open_good(names[f], f == 0 ? "" : ":spacing=0.1");
+        assert_near(signal->extent.spacing[0], 0.1, 0);
+        for (int i = 0; i < 7; i++)
+            assert_near(at(signal, 0.1 * (i % 4), 0.1 * (i / 4)), (double)small[i], 0);
+        assert_true(isnan(at(signal, 0.3, 0.1)));
+        bl_signal_free(signal);
+    }
+    const char *const arguments[] = {
+        "sh", "-c", "oiiotool --info -v small.exr | grep -q 'bandlimit:signal: \"gnoise:seed=7\"'",
+        NULL};
+    assert_int_equal(bl_temporary_run(bl_temporary_folder(), arguments), 0);
+}
+
+static void test_png_codes_are_proportional_to_the_values(void **state) {
+    (void)state;
+    bl_image image = small_image();
+    static const double shares[] = {0, 0.25, 0.5, 0.75, 1, 1, 0, 0};
+    for (unsigned bits = 8; bits <= 16; bits += 8) {
+        bl_message message = {""};
+        image.bits = bits;
+        assert_int_equal(bl_image_write(bl_temporary_path("small.png"), &image, &message), BL_OK);
+        bl_signal *signal = open_good("small.png", ":spacing=1");
+        for (int i = 0; i < 8; i++)
+            assert_near(at(signal, i % 4, i / 4), shares[i], bits == 8 ? 0.0021 : 1e-5);
+        bl_signal_free(signal);
+    }
+    image.black = image.white = 0; // the finite range: -2 to 2
+    bl_message message = {""};
+    assert_int_equal(bl_image_write(bl_temporary_path("small.png"), &image, &message), BL_OK);
+    bl_signal *signal = open_good("small.png", ":spacing=1");
+    assert_near(at(signal, 2, 0), 0.5, 0.0021);
+    assert_near(at(signal, 2, 1), 0, 0);
+    bl_signal_free(signal);
+}
+
+static void test_a_bad_image_is_not_written(void **state) {
+    (void)state;
+    bl_message message = {""};
+    bl_image image = small_image();
+    assert_int_equal(bl_image_write(bl_temporary_path("a.gif"), &image, &message), BL_USAGE);
+    assert_int_equal(bl_image_write(bl_temporary_path("a"), &image, &message), BL_USAGE);
+    assert_int_equal(bl_image_write(bl_temporary_path("no/a.exr"), &image, &message), BL_DEVICE);
+    assert_int_equal(bl_image_write("/dev/null/a.png", &image, &message), BL_DEVICE);
+    mkdir(bl_temporary_path("is.exr"), 0777);
+    assert_int_equal(bl_image_write(bl_temporary_path("is.exr"), &image, &message), BL_DEVICE);
+    image.bits = 12;
+    assert_int_equal(bl_image_write(bl_temporary_path("a.png"), &image, &message), BL_USAGE);
+    image.bits = 8;
+    image.width = 0;
+    assert_int_equal(bl_image_write(bl_temporary_path("a.png"), &image, &message), BL_USAGE);
+    image.width = (size_t)1 << 40;
+    assert_int_equal(bl_image_write(bl_temporary_path("a.png"), &image, &message), BL_USAGE);
+    assert_int_not_equal(access(bl_temporary_path("a.png"), F_OK), 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_white_noise_has_its_variance_and_a_flat_spectrum),
+        cmocka_unit_test(test_a_sine_shows_as_one_line),
+        cmocka_unit_test(test_integers_are_divided_by_their_full_scale),
+        cmocka_unit_test(test_alpha_does_not_change_the_values),
+        cmocka_unit_test(test_rows_columns_and_points_agree_in_memory_and_in_blocks),
+        cmocka_unit_test(test_a_place_takes_the_nearest_pixel_and_nan_outside),
+        cmocka_unit_test(test_a_noise_is_not_taken_for_a_file),
+        cmocka_unit_test(test_every_bad_file_is_refused_with_its_reason),
+        cmocka_unit_test(test_damaged_bytes_never_crash),
+        cmocka_unit_test(test_every_bad_setting_is_refused_with_its_reason),
+        cmocka_unit_test(test_exr_and_tiff_keep_the_floats_and_the_spacing),
+        cmocka_unit_test(test_png_codes_are_proportional_to_the_values),
+        cmocka_unit_test(test_a_bad_image_is_not_written),
+    };
+    return bl_run_tests(tests);
+}
