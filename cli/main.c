@@ -130,40 +130,61 @@ static bl_status run_verb(bl_call *call) {
     return written == BL_OK ? status : written;
 }
 
-static bl_status run_words(bl_call *call, int count, char **words) {
-    bl_option_table tables[] = {{bl_common_options, &call->common}, {NULL, NULL}, {NULL, NULL}};
-    int position = 1;
-    bl_status status = bl_options_read(tables, count, words, &position, NULL, &call->message);
-    if (status != BL_OK)
-        return status;
+// The verb: the first word that is no option, or what --help and --version stand for.
+static bl_status find_verb(bl_call *call, int count, char **words, int *position) {
     const char *name = call->common.help ? "help" : call->common.version ? "version" : NULL;
-    if (!name && position == count) {
+    if (!name && *position == count) {
         bl_help_print(stderr, NULL);
         return bl_report(&call->message, BL_USAGE, "no verb given");
     }
     if (!name)
-        name = words[position++];
+        name = words[(*position)++];
     call->verb = bl_verb_find(name);
-    if (!call->verb)
-        return bl_verb_report_unknown(name, &call->message);
+    return call->verb ? BL_OK : bl_verb_report_unknown(name, &call->message);
+}
+
+// `VERB --help` is `help VERB`.
+static bl_status turn_to_help(bl_call *call) {
+    call->operands.count = 0;
+    if (!bl_words_add(&call->operands, call->verb->name))
+        return bl_report(&call->message, BL_DEVICE, "out of memory");
+    call->verb = bl_verb_find("help");
+    return BL_OK;
+}
+
+// Reads the words after the verb, and runs it. `own` is the table of the verb.
+static bl_status run_with(bl_call *call, const bl_option_table *own, int count, char **words,
+                          int position) {
+    const bl_option_table tables[] = {{bl_common_options, &call->common}, *own, {NULL, NULL}};
+    int helped = call->common.help;
+    bl_status status = bl_options_default(own, &call->message);
+    if (status == BL_OK)
+        status = bl_options_read(tables, count, words, &position, &call->operands, &call->message);
+    if (status == BL_OK && call->common.help && !helped)
+        status = turn_to_help(call);
+    if (status == BL_OK)
+        status = settle_common(call);
+    if (status == BL_OK)
+        status = check_operands(call);
+    return status == BL_OK ? run_verb(call) : status;
+}
+
+static bl_status run_words(bl_call *call, int count, char **words) {
+    const bl_option_table tables[] = {{bl_common_options, &call->common}, {NULL, NULL}};
+    int position = 1;
+    bl_status status = bl_options_read(tables, count, words, &position, NULL, &call->message);
+    if (status == BL_OK)
+        status = find_verb(call, count, words, &position);
+    if (status != BL_OK)
+        return status;
     call->settings = calloc(1, call->verb->settings_size + 1);
     if (!call->settings)
         return bl_report(&call->message, BL_DEVICE, "out of memory");
-    tables[1] = (bl_option_table){call->verb->options, call->settings};
-    status = bl_options_default(&tables[1], &call->message);
-    if (status == BL_OK)
-        status = bl_options_read(tables, count, words, &position, &call->operands, &call->message);
-    if (status != BL_OK)
-        return status;
-    if (call->common.help && strcmp(call->verb->name, "help") != 0) {
-        call->operands.count = 0;
-        if (!bl_words_add(&call->operands, call->verb->name))
-            return bl_report(&call->message, BL_DEVICE, "out of memory");
-        call->verb = bl_verb_find("help");
-    }
-    if ((status = settle_common(call)) != BL_OK || (status = check_operands(call)) != BL_OK)
-        return status;
-    return run_verb(call);
+    const bl_option_table own = {call->verb->options, call->settings};
+    status = run_with(call, &own, count, words, position);
+    bl_options_free(&own);
+    free(call->settings);
+    return status;
 }
 
 // --json counts even when the words after an error were not read.
@@ -194,6 +215,5 @@ int main(int count, char **words) {
     }
     json_decref(call.json);
     bl_words_free(&call.operands);
-    free(call.settings);
     return (int)status;
 }

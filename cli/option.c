@@ -102,6 +102,12 @@ bl_status bl_options_default(const bl_option_table *table, bl_message *message) 
     return BL_OK;
 }
 
+void bl_options_free(const bl_option_table *table) {
+    for (const bl_option *option = table->options; option->name; option++)
+        if (option->kind == BL_OPTION_WORDS)
+            bl_words_free((bl_words *)((char *)table->block + option->offset));
+}
+
 // A negative number is an operand, not an option; so are the words that strtod takes for one.
 static int is_option(const char *word) {
     if (word[0] != '-' || word[1] == '\0')

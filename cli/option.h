@@ -54,6 +54,9 @@ bl_status bl_options_default(const bl_option_table *table, bl_message *message);
 bl_status bl_options_read(const bl_option_table *tables, int count, char **words, int *position,
                           bl_words *operands, bl_message *message);
 
+// Releases the lists of words in the block.
+void bl_options_free(const bl_option_table *table);
+
 // False if out of memory.
 int bl_words_add(bl_words *words, const char *word);
 void bl_words_free(bl_words *words);

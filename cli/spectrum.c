@@ -103,7 +103,6 @@ static bl_status run_spectrum(bl_call *call) {
     }
     bl_signal_free(signal);
     free(bands);
-    bl_words_free(&((spectrum_settings *)call->settings)->bands);
     return status;
 }
 

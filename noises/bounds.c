@@ -24,8 +24,8 @@
 // rounds the squared distance by at most 1/(2N); K falls by at most 5/2 of it below r = 1 and by
 // 1/4 of it beyond.
 //
-// The constants were found by a grid and random steps uphill from its best point, and rounded up by
-// 1e-3 at most; t-bounds certifies each by branch and bound:
+// The constants were found by a grid and random steps uphill from its best point, and rounded up in
+// the third digit; t-bounds certifies each by branch and bound:
 //   edges, linear fade   1.0648281623  at (0.260, 0.463, 0.5)
 //   edges, cubic fade    1.0449051896  at (0.324, 0.476, 0.5)
 //   edges, quintic fade  1.0363538112  at (0.355, 0.481, 0.5)
@@ -48,7 +48,7 @@ bl_bound bl_bound_gradient(bl_kernel weight, int edges) {
         return (bl_bound){0.86603,
                           "unit gradients; the mean of |d| over the corners is at most the "
                           "root of the mean of d^2, sqrt(3)/2, reached in the middle"};
-    double most = weight == BL_KERNEL_LINEAR ? 1.0655 : weight == BL_KERNEL_SMOOTH ? 1.0455 : 1.037;
+    double most = weight == BL_KERNEL_LINEAR ? 1.07 : weight == BL_KERNEL_SMOOTH ? 1.05 : 1.04;
     return (bl_bound){most,
                       "the sum over the corners of weight times the two largest |d|, certified "
                       "over the cell by branch and bound"};
@@ -63,7 +63,7 @@ bl_bound bl_bound_hermite(void) {
 bl_bound bl_bound_lattice_convolution(unsigned table) {
     // Within 1 of a place there are at most 8 lattice points, of 64 in all.
     double rounding = table ? (8 * 1.25 + 56 * 0.125) / table : 0;
-    return (bl_bound){2.283 + rounding,
+    return (bl_bound){2.29 + rounding,
                       "values below 1; the sum of |K| over the lattice points, "
                       "certified over the cell by branch and bound"};
 }
@@ -71,7 +71,7 @@ bl_bound bl_bound_lattice_convolution(unsigned table) {
 bl_bound bl_bound_sparse_convolution(unsigned table) {
     // Within 1 of a place there are points of at most 27 cells, of 125 in all.
     double rounding = table ? (27 * 1.25 + 98 * 0.125) / table : 0;
-    return (bl_bound){11.813 + rounding,
+    return (bl_bound){11.83 + rounding,
                       "amplitudes below 1; the sum over the cells of the largest "
                       "|K| in each, certified by branch and bound"};
 }

@@ -20,7 +20,8 @@ typedef struct cell_words {
 
 typedef struct cell_numbers {
     bl_lattice lattice;
-    uint32_t table[2][256]; // the folded words of lattice=perm256
+    uint32_t plain[256];    // lattice=perm256: the first words of its entries ...
+    uint32_t table[2][256]; // ... and both words, folded
 } cell_numbers;
 
 static inline uint32_t folded(uint32_t word) {
@@ -29,10 +30,13 @@ static inline uint32_t folded(uint32_t word) {
 
 static inline void cell_numbers_open(cell_numbers *numbers, uint64_t seed, bl_lattice_kind kind) {
     numbers->lattice = bl_lattice_of(seed, kind);
-    for (unsigned component = 0; component < 2 && kind == BL_LATTICE_PERM256; component++) {
-        bl_perm256_words(&numbers->lattice, component, numbers->table[component]);
-        for (int i = 0; i < 256; i++)
-            numbers->table[component][i] = folded(numbers->table[component][i]);
+    if (kind != BL_LATTICE_PERM256)
+        return;
+    bl_perm256_words(&numbers->lattice, 0, numbers->plain);
+    bl_perm256_words(&numbers->lattice, 1, numbers->table[1]);
+    for (int i = 0; i < 256; i++) {
+        numbers->table[0][i] = folded(numbers->plain[i]);
+        numbers->table[1][i] = folded(numbers->table[1][i]);
     }
 }
 

@@ -5,10 +5,11 @@
 // lattice=hash. An axis b and a 64-bit cell number c give a key of two 32-bit halves. With
 // C = c + 2^31 (mod 2^64), low and high its halves, and o_b, h_b drawn from the seed,
 //
-//     p = (low + o_b) * M1        additive half:   p
-//     q = (p ^ p >> 15 ^ high ^ h_b) * M2          exclusive half: q
+//     p = (low + o_b) * M1                          the additive half
+//     q = (p ^ p >> 15 ^ mix(high ^ h_b)) * M2      the exclusive half
 //
-// a bijection of the 64-bit cell number, so no plane of cells ever repeats. The keys of the three
+// with bijections at each step: no two cells have one key, so no plane of cells ever repeats. For
+// |c| < 2^31, high is 0, and the mix is one number for the whole axis. The keys of the three
 // axes meet in one product, the word of the cell:
 //
 //     word = (p_x + p_y + p_z) * (q_x ^ q_y ^ q_z)      mod 2^32
@@ -16,7 +17,8 @@
 // Only a sum, an exclusive or and one product belong to a corner; everything else is shared by the
 // corners with the same coordinate. That is what makes the noises fast, and these are the quality
 // requirements that the choice passes (t-lattice): every used bit is balanced and flips with
-// probability 1/2 when any bit of cell or seed flips; neighbouring cells and seeds are
+// probability 1/2 when any bit of cell or seed flips (bits 15 to 12 stay when only bits 28 to 30 of
+// a cell number flip, that is between cells 2^28 apart); neighbouring cells and seeds are
 // uncorrelated; and so are the products over parallelograms (i,j) (i',j) (i,j') (i',j'), the place
 // where keys that are merely added or xored fail: with a linear last step the fourth corner
 // follows from the other three. Bits 31 to 12 of a word pass all this in 10^7 words; the bits
@@ -93,7 +95,15 @@ static inline bl_lattice bl_lattice_of(uint64_t seed, bl_lattice_kind kind) {
     return lattice;
 }
 
-// The exclusive half, from the additive half and high ^ h_b.
+// The mixed high half of a biased cell number: lowbias32 (Wellons 2018), a bijection.
+static inline uint32_t bl_lattice_high(const bl_lattice *lattice, unsigned axis, uint32_t high) {
+    uint32_t x = high ^ lattice->high[axis];
+    x = (x ^ x >> 16) * 0x7feb352du;
+    x = (x ^ x >> 15) * 0x846ca68bu;
+    return x ^ x >> 16;
+}
+
+// The exclusive half, from the additive half and the mixed high half.
 static inline uint32_t bl_lattice_exclusive(uint32_t add, uint32_t high) {
     return (add ^ add >> 15 ^ high) * BL_LATTICE_M2;
 }
@@ -102,7 +112,7 @@ static inline bl_lattice_key bl_lattice_key_of(const bl_lattice *lattice, unsign
                                                uint64_t cell) {
     uint64_t biased = cell + UINT64_C(0x80000000);
     uint32_t add = ((uint32_t)biased + lattice->offset[axis]) * BL_LATTICE_M1;
-    uint32_t high = (uint32_t)(biased >> 32) ^ lattice->high[axis];
+    uint32_t high = bl_lattice_high(lattice, axis, (uint32_t)(biased >> 32));
     return (bl_lattice_key){add, bl_lattice_exclusive(add, high)};
 }
 

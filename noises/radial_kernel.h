@@ -67,7 +67,7 @@ static inline float radial_twice_outer(float r) {
 // balance its error to 6.5e-4 (J. Kadlec, 2010: 0x5f1ffff9, 0.703952253 (2.38924456 - s y^2)), and
 // a Newton step, its constants multiplied by 1 + 3.2e-7 to balance -(3/2) 6.5e-4^2. With the factor
 // k = 0.703952253 of the first step moved into the second: 1.5 k and k^3/2.
-// Relative error below 4.5e-7, the rounding included (t-convolution).
+// Relative error below 5e-7, the rounding included (t-convolution).
 static inline float quick_root(float s) {
     uint32_t bits;
     memcpy(&bits, &s, sizeof bits);

@@ -30,17 +30,17 @@ enum {
     SLAB_MOST = 25 * 64,  // impulses a slab may add: 25 cells across, 64 a cell
     BATCH = 384,          // impulses after which a splat starts
     SPLAT_SAMPLES = 2048, // samples of one run of splats
-    SPLAT_BLOCKS_FIXED = 8, // up to this many blocks have code of their own
+    SPLAT_CLASSES = 8,      // numbers of blocks told apart, the last for all above
     GATHER_SLABS = 64,
     GATHER_IMPULSES = 8192,
 };
 
-// Impulses whose distance from the line is below 2.
+// Impulses whose distance from the line is below 2. LANES entries past the last may be written.
 typedef struct radial_impulses {
     int count;
-    float along[BATCH + SLAB_MOST + LANES];     // from the lower plane of their slab
-    float square[BATCH + SLAB_MOST + LANES];    // squared distance from the line
-    float amplitude[BATCH + SLAB_MOST + LANES]; // in the caller's unit
+    float *along;     // from the lower plane of their slab
+    float *square;    // squared distance from the line
+    float *amplitude; // in the caller's unit
 } radial_impulses;
 
 typedef struct radial_line {
@@ -56,15 +56,20 @@ typedef struct radial_line {
 // --- splat --------------------------------------------------------------------------------------
 
 typedef struct splat_batch {
-    radial_impulses impulses;
+    radial_impulses impulses; // in these:
+    float along[BATCH + SLAB_MOST + LANES];
+    float square[BATCH + SLAB_MOST + LANES];
+    float amplitude[BATCH + SLAB_MOST + LANES];
     float centre[BATCH + SLAB_MOST];   // from the impulse to the middle of its blocks
     int32_t first[BATCH + SLAB_MOST];  // sample
     int32_t blocks[BATCH + SLAB_MOST]; // of LANES samples
+    float slab[BATCH + SLAB_MOST];     // of each impulse, an exact integer
+    int32_t class[BATCH + SLAB_MOST];  // 2 * blocks, + 1 if the inner branch is never reached
     uint16_t order[BATCH + SLAB_MOST];
 } splat_batch;
 
 typedef struct splat_run {
-    double place; // of the run's first sample, from slab 0
+    double place; // of the run's first sample, from the first slab that reaches it
     double step, samples_per_cell;
     int samples;
     float ramp[2 * SPLAT_SAMPLES + 2 * LANES]; // k * step, k from -ramp_middle
@@ -72,24 +77,30 @@ typedef struct splat_run {
     float sum[SPLAT_SAMPLES + LANES];
 } splat_run;
 
-// Finds the samples in the chords of impulses [from, count), all of one slab.
-static inline void place_impulses(splat_batch *batch, int from, double slab, const splat_run *run) {
-    double last_sample = run->samples - 1;
-    const radial_impulses *impulses = &batch->impulses;
+// Finds the samples in the chords, and the class that the splat sorts by. Where a chord starts and
+// ends needs no precision, the kernel is 0 there with its slope; where the impulse stands does.
+static void place_impulses(splat_batch *batch, const splat_run *run) {
+    float last_sample = (float)(run->samples - 1), samples_per_cell = (float)run->samples_per_cell;
+    double place = run->place, step = run->step;
+    int count = batch->impulses.count;
 #pragma omp simd
-    for (int i = from; i < impulses->count; i++) {
-        double position = (slab - run->place) + (double)impulses->along[i];
-        double half = (double)sqrtf(4 - impulses->square[i]);
-        double first = ceil((position - half) * run->samples_per_cell);
-        double last = floor((position + half) * run->samples_per_cell);
+    for (int i = 0; i < count; i++) {
+        double position = ((double)batch->slab[i] - place) + (double)batch->along[i];
+        float middle = (float)position;
+        float half = sqrtf(4 - batch->square[i]);
+        float first = ceilf((middle - half) * samples_per_cell);
+        float last = floorf((middle + half) * samples_per_cell);
         first = first > 0 ? first : 0;
         last = last < last_sample ? last : last_sample;
-        double blocks = ceil((last - first + 1) * (1.0 / LANES));
+        float blocks = ceilf((last - first + 1) * (1.0f / LANES));
         blocks = blocks > 0 ? blocks : 0;
         first = blocks > 0 ? first : 0;
+        int32_t n = (int32_t)blocks;
         batch->first[i] = (int32_t)first;
-        batch->blocks[i] = (int32_t)blocks;
-        batch->centre[i] = (float)((first + blocks * (LANES / 2)) * run->step - position);
+        batch->blocks[i] = n;
+        batch->centre[i] = (float)((double)(first + blocks * (LANES / 2)) * step - position);
+        n = n < SPLAT_CLASSES ? n : SPLAT_CLASSES;
+        batch->class[i] = 2 * n + (batch->square[i] >= 1);
     }
 }
 
@@ -125,62 +136,38 @@ splat_chord(const float *ramp, float *sum, splat_impulse one, int blocks, const 
         splat_block(ramp + LANES, sum + LANES, one, outer, 1);
 }
 
-// Splats the impulses order[0..count), all of the same number of blocks and all outer or not; the
-// constant `blocks` lets the compiler unroll, 0 stands for any number.
+// Splats the impulses order[0..count).
 static inline __attribute__((always_inline)) void
 splat_class(const splat_batch *batch, const uint16_t *order, int count, splat_run *run,
-            const int outer, const int blocks) {
+            const int outer) {
     for (int k = 0; k < count; k++) {
-        int i = order[k];
-        int n = blocks ? blocks : batch->blocks[i];
-        const float *ramp = run->ramp + run->ramp_middle - n * (LANES / 2);
-        float *sum = run->sum + batch->first[i];
-        splat_impulse one = {batch->centre[i], batch->impulses.square[i],
-                             batch->impulses.amplitude[i]};
-        splat_chord(ramp, sum, one, n, outer);
+        int i = order[k], blocks = batch->blocks[i];
+        const float *ramp = run->ramp + run->ramp_middle - blocks * (LANES / 2);
+        splat_impulse one = {batch->centre[i], batch->square[i],
+                             batch->amplitude[i]};
+        splat_chord(ramp, run->sum + batch->first[i], one, blocks, outer);
     }
 }
 
-static void splat_one_class(const splat_batch *batch, const uint16_t *order, int count,
-                            splat_run *run, int class) {
-    switch (class) {
-#define SPLAT_CLASS(n)                                                                             \
-    case 2 * (n): splat_class(batch, order, count, run, 0, n); break;                              \
-    case 2 * (n) + 1: splat_class(batch, order, count, run, 1, n); break;
-        SPLAT_CLASS(1)
-        SPLAT_CLASS(2)
-        SPLAT_CLASS(3)
-        SPLAT_CLASS(4)
-        SPLAT_CLASS(5)
-        SPLAT_CLASS(6)
-        SPLAT_CLASS(7)
-#undef SPLAT_CLASS
-    case 2 * SPLAT_BLOCKS_FIXED: splat_class(batch, order, count, run, 0, 0); break;
-    case 2 * SPLAT_BLOCKS_FIXED + 1: splat_class(batch, order, count, run, 1, 0); break;
-    default: break; // no sample in its chord
-    }
-}
-
-// Sorts the batch by class, so that the loops have constant lengths and no branch is a guess.
+// Sorts the batch by class, so that the lengths of the loops are foreseen.
 static void splat(splat_batch *batch, splat_run *run) {
-    enum { CLASSES = 2 * SPLAT_BLOCKS_FIXED + 2 };
-    uint16_t class[BATCH + SLAB_MOST];
-    int start[CLASSES + 1] = {0};
+    enum { CLASSES = 2 * SPLAT_CLASSES + 2 };
+    int start[CLASSES + 1] = {0}, next[CLASSES];
     int count = batch->impulses.count;
-    for (int i = 0; i < count; i++) {
-        int blocks = batch->blocks[i] < SPLAT_BLOCKS_FIXED ? batch->blocks[i] : SPLAT_BLOCKS_FIXED;
-        class[i] = (uint16_t)(2 * blocks + (batch->impulses.square[i] >= 1));
-        start[class[i] + 1]++;
-    }
-    for (int c = 0; c < CLASSES; c++)
-        start[c + 1] += start[c];
-    int next[CLASSES];
-    for (int c = 0; c < CLASSES; c++)
-        next[c] = start[c];
+    place_impulses(batch, run);
     for (int i = 0; i < count; i++)
-        batch->order[next[class[i]]++] = (uint16_t)i;
-    for (int c = 2; c < CLASSES; c++)
-        splat_one_class(batch, batch->order + start[c], start[c + 1] - start[c], run, c);
+        start[batch->class[i] + 1]++;
+    for (int c = 0; c < CLASSES; c++) {
+        next[c] = start[c];
+        start[c + 1] += start[c];
+    }
+    for (int i = 0; i < count; i++)
+        batch->order[next[batch->class[i]]++] = (uint16_t)i;
+    for (int c = 2; c < CLASSES; c++) // the classes 0 and 1 have no sample in their chords
+        if (c % 2)
+            splat_class(batch, batch->order + start[c], start[c + 1] - start[c], run, 1);
+        else
+            splat_class(batch, batch->order + start[c], start[c + 1] - start[c], run, 0);
     batch->impulses.count = 0;
 }
 
@@ -197,18 +184,21 @@ static void splat_row(const radial_line *line, size_t count, float *out) {
     splat_run run;
     run.step = line->step;
     run.samples_per_cell = 1 / line->step;
-    batch.impulses.count = 0;
+    batch.impulses = (radial_impulses){0, batch.along, batch.square, batch.amplitude};
     prepare_ramp(&run);
     for (size_t done = 0; done < count; done += (size_t)run.samples) {
         run.samples = count - done < SPLAT_SAMPLES ? (int)(count - done) : SPLAT_SAMPLES;
         run.place = line->origin + (double)done * line->step;
         for (int i = 0; i < run.samples + LANES; i++)
             run.sum[i] = 0;
+        int64_t first = (int64_t)floor(run.place) - 2;
         int64_t last = (int64_t)floor(run.place + run.samples * line->step) + 2;
-        for (int64_t slab = (int64_t)floor(run.place) - 2; slab <= last; slab++) {
+        run.place -= (double)first;
+        for (int64_t slab = first; slab <= last; slab++) {
             int from = batch.impulses.count;
             line->fill(line->context, slab, &batch.impulses);
-            place_impulses(&batch, from, (double)slab, &run);
+            for (int i = from; i < batch.impulses.count; i++)
+                batch.slab[i] = (float)(slab - first);
             if (batch.impulses.count >= BATCH || slab == last)
                 splat(&batch, &run);
         }
@@ -228,26 +218,18 @@ typedef struct gather_window {
 } gather_window;
 
 static void fill_window(const radial_line *line, int64_t first, int slabs, gather_window *window) {
-    radial_impulses part;
-    int total = 0;
+    radial_impulses impulses = {0, window->along, window->square, window->amplitude};
     for (int s = 0; s < slabs; s++) {
-        window->start[s] = total;
-        part.count = 0;
-        line->fill(line->context, first + s, &part);
+        int from = window->start[s] = impulses.count;
+        line->fill(line->context, first + s, &impulses);
 #pragma omp simd
-        for (int i = 0; i < part.count; i++) {
-            window->along[total + i] = part.along[i];
-            window->slab[total + i] = (float)s;
-            window->square[total + i] = part.square[i];
-            window->amplitude[total + i] = part.amplitude[i];
-        }
-        total += part.count;
+        for (int i = from; i < impulses.count; i++)
+            window->slab[i] = (float)s;
     }
-    window->start[slabs] = total;
-    for (int i = 0; i < LANES; i++) { // the last block reads past the end
-        window->along[total + i] = window->slab[total + i] = 0;
-        window->square[total + i] = 4;
-        window->amplitude[total + i] = 0;
+    int total = window->start[slabs] = impulses.count;
+    for (int i = total; i < total + LANES; i++) { // the last block reads past the end
+        window->along[i] = window->slab[i] = window->amplitude[i] = 0;
+        window->square[i] = 4;
     }
 }
 
@@ -260,19 +242,46 @@ static inline float add_lanes(const float *lane) {
     return (four[0] + four[2]) + (four[1] + four[3]);
 }
 
-// The sum over the impulses of slabs cell-2 .. cell+2 at a sample; `fraction` within its cell. The
-// last block may reach into the next slab, whose impulses are too far to count.
-static inline float gather_sample(const gather_window *window, int cell, float fraction) {
-    float sum[LANES] = {0};
-    for (int i = window->start[cell - 2]; i < window->start[cell + 3]; i += LANES) {
+// The sums over the impulses of slabs first-2 .. last+2 at two samples in the cells first and last;
+// `fraction` is within the cell. An impulse too far from a sample adds exactly 0 to it, also those
+// of the slab after, into which the last block may reach.
+static inline void gather_two(const gather_window *window, const int cell[2],
+                              const float fraction[2], float out[2]) {
+    float sum[2][LANES] = {{0}};
+    float base[2] = {(float)cell[0], (float)cell[1]};
+    for (int i = window->start[cell[0] - 2]; i < window->start[cell[1] + 3]; i += LANES) {
 #pragma omp simd
         for (int l = 0; l < LANES; l++) {
-            float t = (fraction - window->along[i + l]) - (window->slab[i + l] - (float)cell);
-            float r = sqrtf(t * t + window->square[i + l]);
-            sum[l] += window->amplitude[i + l] * radial_twice(r);
+            float along = window->along[i + l], slab = window->slab[i + l];
+            float square = window->square[i + l], amplitude = window->amplitude[i + l];
+            float s = (fraction[0] - along) - (slab - base[0]);
+            float t = (fraction[1] - along) - (slab - base[1]);
+            sum[0][l] += amplitude * radial_twice(sqrtf(s * s + square));
+            sum[1][l] += amplitude * radial_twice(sqrtf(t * t + square));
         }
     }
-    return add_lanes(sum);
+    out[0] = add_lanes(sum[0]);
+    out[1] = add_lanes(sum[1]);
+}
+
+// Finds the places of samples i and i+1 in the window whose slab 2 is `first`: how many are in it.
+// Where only one is, the second is a copy of it.
+static inline int pair_of_samples(const radial_line *line, size_t i, size_t count, double first,
+                                  int slabs, int cell[2], float fraction[2]) {
+    int n = 0;
+    for (; n < 2 && i + (size_t)n < count; n++) {
+        double place = line->origin + (double)(i + (size_t)n) * line->step - first;
+        double lower = floor(place);
+        if (lower >= slabs)
+            break;
+        cell[n] = (int)lower + 2;
+        fraction[n] = (float)(place - lower);
+    }
+    if (n == 1) {
+        cell[1] = cell[0];
+        fraction[1] = fraction[0];
+    }
+    return n;
 }
 
 static void gather_row(const radial_line *line, size_t count, float *out) {
@@ -285,12 +294,15 @@ static void gather_row(const radial_line *line, size_t count, float *out) {
         double last = floor(line->origin + (double)(count - 1) * line->step);
         int slabs = last - first < cells ? (int)(last - first) + 1 : cells;
         fill_window(line, (int64_t)first - 2, slabs + 4, &window);
-        for (; i < count; i++) {
-            double place = line->origin + (double)i * line->step - first;
-            double cell = floor(place);
-            if (cell >= slabs)
+        while (i < count) {
+            int cell[2];
+            float fraction[2], pair[2];
+            int n = pair_of_samples(line, i, count, first, slabs, cell, fraction);
+            if (n == 0)
                 break;
-            out[i] = gather_sample(&window, (int)cell + 2, (float)(place - cell)) * line->scale;
+            gather_two(&window, cell, fraction, pair);
+            for (int k = 0; k < n; k++)
+                out[i++] = pair[k] * line->scale;
         }
     }
 }

@@ -61,18 +61,23 @@ typedef struct bl_point_block {
 #define BL_NEAR_EXPONENT 0x41b00000u
 #define BL_NEAR_BIAS 0xb8000000u // what (high << 8 | low >> 24) has above the cell, mod 2^32
 
+// Doubles to be read as 32-bit halves, the low half first (little endian, as all x86-64).
+typedef union bl_halves {
+    double number[BL_ROW];
+    uint32_t half[2 * BL_ROW];
+} bl_halves;
+
 // Splits near coordinates; a result other than 0 says that one was not near.
 static inline uint32_t bl_split_near(const double *restrict x, size_t lanes,
                                      uint32_t *restrict cell, float *restrict fraction) {
-    double shifted[BL_BLOCK];
-    uint32_t halves[2 * BL_BLOCK], strange = 0;
+    bl_halves shifted;
+    uint32_t strange = 0;
 #pragma omp simd
     for (size_t i = 0; i < lanes; i++)
-        shifted[i] = x[i] + BL_NEAR_MAGIC;
-    memcpy(halves, shifted, lanes * sizeof *shifted);
+        shifted.number[i] = x[i] + BL_NEAR_MAGIC;
 #pragma omp simd reduction(| : strange)
     for (size_t i = 0; i < lanes; i++) {
-        uint32_t low = halves[2 * i], high = halves[2 * i + 1];
+        uint32_t low = shifted.half[2 * i], high = shifted.half[2 * i + 1];
         strange |= high ^ BL_NEAR_EXPONENT;
         cell[i] = high << 8 | low >> 24;
         fraction[i] = (float)(int32_t)(low & 0xffffffu) * 0x1p-24f;
@@ -82,15 +87,25 @@ static inline uint32_t bl_split_near(const double *restrict x, size_t lanes,
 
 // Keys of the planes of near cells: C = cell + 2^31 has a high half of 0.
 static inline void bl_keys_near(const bl_point_block *block, unsigned axis, bl_axis_block *keys) {
-    const uint32_t high = block->lattice->high[axis];
+    const uint32_t high = bl_lattice_high(block->lattice, axis, 0);
     const uint32_t *restrict cell = keys->cell;
-    for (int knot = 0; knot < block->knots; knot++) {
-        uint32_t offset = block->lattice->offset[axis] + 0x80000000u - BL_NEAR_BIAS +
-                          (uint32_t)(block->first + knot);
-        uint32_t *restrict add = keys->add[knot], *restrict exclusive = keys->exclusive[knot];
+    const uint32_t offset = block->lattice->offset[axis] + 0x80000000u - BL_NEAR_BIAS +
+                            (uint32_t)block->first;
+    const size_t lanes = block->lanes;
+    uint32_t *restrict first = keys->add[0], *restrict exclusive = keys->exclusive[0];
 #pragma omp simd
-        for (size_t i = 0; i < block->lanes; i++) {
-            uint32_t half = (cell[i] + offset) * BL_LATTICE_M1;
+    for (size_t i = 0; i < lanes; i++) {
+        uint32_t half = (cell[i] + offset) * BL_LATTICE_M1;
+        first[i] = half;
+        exclusive[i] = bl_lattice_exclusive(half, high);
+    }
+    for (int knot = 1; knot < block->knots; knot++) {
+        uint32_t step = (uint32_t)knot * BL_LATTICE_M1;
+        uint32_t *restrict add = keys->add[knot];
+        exclusive = keys->exclusive[knot];
+#pragma omp simd
+        for (size_t i = 0; i < lanes; i++) {
+            uint32_t half = first[i] + step;
             add[i] = half;
             exclusive[i] = bl_lattice_exclusive(half, high);
         }
@@ -191,12 +206,14 @@ static inline void bl_point_block_store(const bl_point_block *block, const float
 
 // --- rows ---------------------------------------------------------------------------------------
 
-// The coordinates of `count` samples of a row from sample `first` on.
+// The coordinates of `count` (at most BL_BLOCK) samples of a row from sample `first` on.
 static inline void bl_row_coordinates(double start, double step, size_t first, size_t count,
                                       double *restrict x) {
+    const double number = (double)first; // exact to 2^53 samples
+    const int samples = (int)count;
 #pragma omp simd
-    for (size_t i = 0; i < count; i++)
-        x[i] = start + (double)(int64_t)(first + i) * step;
+    for (int i = 0; i < samples; i++)
+        x[i] = start + (number + i) * step;
 }
 
 // Any row through the points of a noise.
@@ -236,8 +253,8 @@ typedef struct bl_row_block {
     uint64_t cell;
     size_t cells;
     size_t lanes; // cells plus the planes beyond, rounded up to a multiple of BL_LANES
-    size_t per_cell; // about the samples in a cell, at least 1
-    int dense;
+    float per_cell; // about the samples in a cell
+    int rising, dense;
 } bl_row_block;
 
 // Splits up to BL_ROW samples, fewer if they span too many cells (far out, where neighbouring
@@ -256,19 +273,18 @@ static inline int bl_row_block_load(bl_row_block *block, double start, double st
             break;
     }
     double base = floor(fmin(from, to));
-    double shifted[BL_ROW];
-    uint32_t halves[2 * BL_ROW];
+    bl_halves shifted;
     // x - base is exact: both are multiples of the last place of x, and it is below 2^10. So the
     // fraction does not depend on where the block begins. It is not exact for x in (-1, 0) with
     // more digits than that, where the rounding is far below that of the fraction.
+    const double number = (double)first, magic = shift + BL_NEAR_MAGIC;
+    const int samples = (int)count;
 #pragma omp simd
-    for (size_t i = 0; i < count; i++)
-        shifted[i] = ((start + (double)(int64_t)(first + i) * step) - base) +
-                     (shift + BL_NEAR_MAGIC);
-    memcpy(halves, shifted, count * sizeof *shifted);
+    for (int i = 0; i < samples; i++)
+        shifted.number[i] = ((start + (number + i) * step) - base) + magic;
 #pragma omp simd
     for (size_t i = 0; i < count; i++) {
-        uint32_t low = halves[2 * i], high = halves[2 * i + 1];
+        uint32_t low = shifted.half[2 * i], high = shifted.half[2 * i + 1];
         block->index[i] = (high << 8 | low >> 24) - BL_NEAR_BIAS;
         block->fraction[i] = (float)(int32_t)(low & 0xffffffu) * 0x1p-24f;
     }
@@ -282,8 +298,8 @@ static inline int bl_row_block_load(bl_row_block *block, double start, double st
     uint32_t last = block->index[from < to ? count - 1 : 0];
     block->cells = last + 1;
     block->lanes = (block->cells + BL_KNOTS + BL_LANES - 1) / BL_LANES * BL_LANES;
-    double per_cell = step != 0 ? 1 / fabs(step) : BL_ROW;
-    block->per_cell = per_cell < BL_ROW ? (size_t)(per_cell + 0.5) : BL_ROW;
+    block->per_cell = fabs(step) > 0x1p-60 ? (float)(1 / fabs(step)) : 0x1p60f;
+    block->rising = step > 0;
     block->dense = block->per_cell >= 6;
     return 1;
 }
@@ -296,13 +312,16 @@ static inline void bl_row_keys(const bl_row_block *block, const bl_lattice *latt
     const uint64_t biased =
         block->cell + (uint64_t)(int64_t)first + UINT64_C(0x80000000);
     const uint32_t low = (uint32_t)biased, high = (uint32_t)(biased >> 32);
-    const uint32_t offset = lattice->offset[axis], mask = lattice->high[axis];
+    const uint32_t offset = lattice->offset[axis], lanes = (uint32_t)block->lanes;
+    // A block has fewer than 2^32 planes: it sees at most two high halves.
+    const uint32_t before = bl_lattice_high(lattice, axis, high);
+    const uint32_t after = bl_lattice_high(lattice, axis, high + 1);
 #pragma omp simd
-    for (uint32_t m = 0; m < (uint32_t)block->lanes; m++) {
-        uint32_t here = low + m, carry = here < low;
+    for (uint32_t m = 0; m < lanes; m++) {
+        uint32_t here = low + m;
         uint32_t half = (here + offset) * BL_LATTICE_M1;
         add[m] = half;
-        exclusive[m] = bl_lattice_exclusive(half, (high + carry) ^ mask);
+        exclusive[m] = bl_lattice_exclusive(half, here < low ? after : before);
     }
 }
 
@@ -350,12 +369,19 @@ static inline void bl_row_words256(const bl_row_block *block, const bl_row_cross
     }
 }
 
-// Where the run of samples ends that share the cell of sample `from`; `guess` is about how many.
-static inline size_t bl_row_run_end(const bl_row_block *block, size_t from) {
+// About how many samples of the first run of a block share its cell.
+static inline size_t bl_row_first_run(const bl_row_block *block) {
+    float left = block->rising ? 1 - block->fraction[0] : block->fraction[0];
+    float guess = left * block->per_cell;
+    return guess < BL_ROW ? (size_t)guess + 1 : BL_ROW;
+}
+
+// Where the run of samples ends that share the cell of sample `from`. The guess, at least 1, makes
+// the end predictable, so that the processor need not wait for one run to begin the next.
+static inline size_t bl_row_run_end(const bl_row_block *block, size_t from, size_t guess) {
     const uint32_t *index = block->index;
-    size_t end = from + block->per_cell;
-    end = end < block->count ? end : block->count;
-    while (end > from + 1 && index[end - 1] != index[from])
+    size_t end = from + guess < block->count ? from + guess : block->count;
+    while (index[end - 1] != index[from])
         end--;
     while (end < block->count && index[end] == index[from])
         end++;
@@ -382,26 +408,32 @@ BL_INLINE void bl_row_evaluate(const bl_row_block *block, bl_row_formula *formul
     const float *restrict fraction = block->fraction;
     const uint32_t *restrict index = block->index;
     const float *restrict c0 = c[0], *restrict c1 = c[1], *restrict c2 = c[2], *restrict c3 = c[3];
+    const size_t count = block->count;
     if (!block->dense) {
 #pragma omp simd
-        for (size_t i = 0; i < block->count; i++) {
+        for (size_t i = 0; i < count; i++) {
             uint32_t m = index[i];
             out[i] = formula(fraction[i], fade[i], c0[m], c1[m], c2[m], c3[m]);
         }
         return;
     }
     // Whole vectors; what they write past the end of a run, the next run overwrites.
-    float value[BL_ROW + BL_LANES];
-    for (size_t from = 0, end; from < block->count; from = end) {
+    float tail[BL_LANES];
+    size_t guess = bl_row_first_run(block);
+    const size_t usual = block->per_cell < BL_ROW ? (size_t)(block->per_cell + 0.5f) : BL_ROW;
+    for (size_t from = 0, end; from < count; from = end, guess = usual) {
         uint32_t m = index[from];
         float d0 = c0[m], d1 = c1[m], d2 = c2[m], d3 = c3[m];
-        end = bl_row_run_end(block, from);
-        for (size_t i = from; i < end; i += BL_LANES)
+        end = bl_row_run_end(block, from, guess);
+        for (size_t i = from; i < end; i += BL_LANES) {
+            float *restrict to = i + BL_LANES <= count ? out + i : tail;
 #pragma omp simd
             for (size_t l = 0; l < BL_LANES; l++)
-                value[i + l] = formula(fraction[i + l], fade[i + l], d0, d1, d2, d3);
+                to[l] = formula(fraction[i + l], fade[i + l], d0, d1, d2, d3);
+            if (to == tail)
+                memcpy(out + i, tail, (count - i) * sizeof *out);
+        }
     }
-    memcpy(out, value, block->count * sizeof *out);
 }
 
 #endif

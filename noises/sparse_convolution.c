@@ -187,11 +187,9 @@ static void open_columns(sparse_slabs *slabs, const axis_row *row) {
     slabs->columns = count;
 }
 
-// The impulses of one slab before the far ones are dropped, COLUMNS for each impulse of a cell.
+// One impulse of each column in a slab, before the far ones are dropped.
 typedef struct sparse_candidates {
-    float along[IMPULSES_MOST * COLUMNS];
-    float square[IMPULSES_MOST * COLUMNS];
-    float amplitude[IMPULSES_MOST * COLUMNS];
+    float along[COLUMNS], square[COLUMNS], amplitude[COLUMNS];
 } sparse_candidates;
 
 // Impulse n of LANES columns.
@@ -200,7 +198,7 @@ static inline void place_column_impulses(const sparse_slabs *slabs, int block, i
                                          const uint32_t second[LANES],
                                          sparse_candidates *candidates) {
     const uint32_t *factor = slabs->source->factors.of[n];
-    int at = n * COLUMNS + block * LANES;
+    int at = block * LANES;
     float place[3][LANES];
 #pragma omp simd
     for (int l = 0; l < LANES; l++) {
@@ -224,23 +222,22 @@ static inline void place_column_impulses(const sparse_slabs *slabs, int block, i
 
 // Appends the candidates within 2 of the row: writes each, and keeps it by advancing, since a
 // branch would be guessed wrong.
-static void keep_near(const sparse_candidates *candidates, int impulses, int columns,
-                      radial_impulses *kept) {
+static inline void keep_near(const sparse_candidates *candidates, int columns,
+                             radial_impulses *kept) {
     size_t count = (size_t)kept->count;
-    for (int n = 0; n < impulses; n++)
-        for (int i = n * COLUMNS; i < n * COLUMNS + columns; i++) {
-            kept->along[count] = candidates->along[i];
-            kept->square[count] = candidates->square[i];
-            kept->amplitude[count] = candidates->amplitude[i];
-            count += candidates->square[i] < 4;
-        }
+    for (int i = 0; i < columns; i++) {
+        kept->along[count] = candidates->along[i];
+        kept->square[count] = candidates->square[i];
+        kept->amplitude[count] = candidates->amplitude[i];
+        count += candidates->square[i] < 4;
+    }
     kept->count = (int)count;
 }
 
 static void fill_slab(const void *context, int64_t slab, radial_impulses *impulses) {
     const sparse_slabs *slabs = context;
     const sparse_source *source = slabs->source;
-    sparse_candidates candidates;
+    sparse_candidates candidates[IMPULSES_MOST];
     lane_keys along;
     bl_lattice_key key =
         lane_key(&source->numbers, slabs->axis, slabs->cell + (uint64_t)slab);
@@ -254,9 +251,10 @@ static void fill_slab(const void *context, int64_t slab, radial_impulses *impuls
         uint32_t first[LANES], second[LANES];
         lane_words(&source->numbers, keys, first, second);
         for (int n = 0; n < source->impulses; n++)
-            place_column_impulses(slabs, b, n, first, second, &candidates);
+            place_column_impulses(slabs, b, n, first, second, &candidates[n]);
     }
-    keep_near(&candidates, source->impulses, slabs->columns, impulses);
+    for (int n = 0; n < source->impulses; n++)
+        keep_near(&candidates[n], slabs->columns, impulses);
 }
 
 static void row_along_axis(const sparse_source *source, const axis_row *row, size_t count,

@@ -92,8 +92,9 @@ static void prepare_axis(const cell_numbers *numbers, const point_block *block,
         int mirror = !(fraction[l] < 0.5);
         forward[l] = mirror ? UINT64_MAX : 1; // -1 modulo 2^64
         sign[l] = mirror ? -1 : 1;
-        least = fmin(least, mirrored(fraction[l]));
-        most = fmax(most, mirrored(fraction[l]));
+        double within = mirrored(fraction[l]);
+        least = within < least ? within : least;
+        most = within > most ? within : most;
     }
     for (int i = 0; i < 5; i++) {
         uint64_t offset = (uint64_t)i - 2;
@@ -132,16 +133,29 @@ place_cell(const sparse_source *source, const int impulses, const point_group *g
     }
 }
 
+// What one impulse gives to one point: amplitude times 2 K.
+static inline float impulse_share(float square, float amplitude, const int outer) {
+    float r = sqrtf(square) * (float)(1 / IMPULSE_UNITS);
+    return amplitude * (outer ? radial_twice_outer(r) : radial_twice(r));
+}
+
+// Adds the impulses of a cell. Three of them, the default, meet before they enter the sum, which
+// would otherwise be what everything waits for.
 static inline __attribute__((always_inline)) void
-add_impulses(int impulses, float square[][LANES], float amplitude[][LANES], const int outer,
+add_impulses(const int impulses, float square[][LANES], float amplitude[][LANES], const int outer,
              float sum[LANES]) {
-    for (int n = 0; n < impulses; n++) {
+    if (impulses == 3) {
 #pragma omp simd
-        for (int l = 0; l < LANES; l++) {
-            float r = sqrtf(square[n][l]) * (float)(1 / IMPULSE_UNITS);
-            sum[l] += amplitude[n][l] * (outer ? radial_twice_outer(r) : radial_twice(r));
-        }
+        for (int l = 0; l < LANES; l++)
+            sum[l] += (impulse_share(square[0][l], amplitude[0][l], outer) +
+                       impulse_share(square[1][l], amplitude[1][l], outer)) +
+                      impulse_share(square[2][l], amplitude[2][l], outer);
+        return;
     }
+    for (int n = 0; n < impulses; n++)
+#pragma omp simd
+        for (int l = 0; l < LANES; l++)
+            sum[l] += impulse_share(square[n][l], amplitude[n][l], outer);
 }
 
 // `impulses` is source->impulses, as a constant where it is the default.

@@ -89,29 +89,28 @@ static inline void bl_value_weights(bl_interp interp, const float *restrict frac
 
 typedef float bl_value_weight_block[3][BL_KNOTS][BL_BLOCK];
 
-// One point against the 16 lattice points of a plane of constant z: the fast path's inside.
-BL_INLINE float bl_value_line(const uint32_t add[4], const uint32_t exclusive[4],
-                              const float weight[4], uint32_t plus, uint32_t exor) {
-    float v0 = bl_lattice_value((add[0] + plus) * (exclusive[0] ^ exor));
-    float v1 = bl_lattice_value((add[1] + plus) * (exclusive[1] ^ exor));
-    float v2 = bl_lattice_value((add[2] + plus) * (exclusive[2] ^ exor));
-    float v3 = bl_lattice_value((add[3] + plus) * (exclusive[3] ^ exor));
-    return (v0 * weight[0] + v1 * weight[1]) + (v2 * weight[2] + v3 * weight[3]);
+// One point's keys and weights along x. Members by name: the compilers take such a struct apart
+// and keep it in registers, which they do not with arrays.
+typedef struct bl_value_x {
+    uint32_t add0, add1, add2, add3, exclusive0, exclusive1, exclusive2, exclusive3;
+    float w0, w1, w2, w3;
+} bl_value_x;
+
+BL_INLINE float bl_value_line(bl_value_x x, uint32_t add, uint32_t exclusive) {
+    float v0 = bl_lattice_value((x.add0 + add) * (x.exclusive0 ^ exclusive));
+    float v1 = bl_lattice_value((x.add1 + add) * (x.exclusive1 ^ exclusive));
+    float v2 = bl_lattice_value((x.add2 + add) * (x.exclusive2 ^ exclusive));
+    float v3 = bl_lattice_value((x.add3 + add) * (x.exclusive3 ^ exclusive));
+    return (v0 * x.w0 + v1 * x.w1) + (v2 * x.w2 + v3 * x.w3);
 }
 
-BL_INLINE float bl_value_plane(const bl_axis_block *restrict y, const bl_axis_block *restrict z,
-                               float (*restrict wy)[BL_BLOCK], size_t i, int k,
-                               const uint32_t add[4], const uint32_t exclusive[4],
-                               const float weight[4]) {
-    uint32_t plus = z->add[k][i], exor = z->exclusive[k][i];
-    float line0 = bl_value_line(add, exclusive, weight, y->add[0][i] + plus,
-                                y->exclusive[0][i] ^ exor);
-    float line1 = bl_value_line(add, exclusive, weight, y->add[1][i] + plus,
-                                y->exclusive[1][i] ^ exor);
-    float line2 = bl_value_line(add, exclusive, weight, y->add[2][i] + plus,
-                                y->exclusive[2][i] ^ exor);
-    float line3 = bl_value_line(add, exclusive, weight, y->add[3][i] + plus,
-                                y->exclusive[3][i] ^ exor);
+BL_INLINE float bl_value_plane(bl_value_x x, const bl_axis_block *restrict y,
+                               float (*restrict wy)[BL_BLOCK], uint32_t add, uint32_t exclusive,
+                               size_t i) {
+    float line0 = bl_value_line(x, y->add[0][i] + add, y->exclusive[0][i] ^ exclusive);
+    float line1 = bl_value_line(x, y->add[1][i] + add, y->exclusive[1][i] ^ exclusive);
+    float line2 = bl_value_line(x, y->add[2][i] + add, y->exclusive[2][i] ^ exclusive);
+    float line3 = bl_value_line(x, y->add[3][i] + add, y->exclusive[3][i] ^ exclusive);
     return (line0 * wy[0][i] + line1 * wy[1][i]) + (line2 * wy[2][i] + line3 * wy[3][i]);
 }
 
@@ -121,16 +120,17 @@ static inline void bl_value_block_of_64(const bl_point_block *restrict block,
                                         float *restrict out) {
     const bl_axis_block *restrict x = &block->axis[0], *restrict y = &block->axis[1],
                                   *restrict z = &block->axis[2];
+    const size_t lanes = block->lanes;
 #pragma omp simd
-    for (size_t i = 0; i < block->lanes; i++) {
-        const uint32_t add[4] = {x->add[0][i], x->add[1][i], x->add[2][i], x->add[3][i]};
-        const uint32_t exclusive[4] = {x->exclusive[0][i], x->exclusive[1][i], x->exclusive[2][i],
-                                       x->exclusive[3][i]};
-        const float wx[4] = {weight[0][0][i], weight[0][1][i], weight[0][2][i], weight[0][3][i]};
-        float plane0 = bl_value_plane(y, z, weight[1], i, 0, add, exclusive, wx);
-        float plane1 = bl_value_plane(y, z, weight[1], i, 1, add, exclusive, wx);
-        float plane2 = bl_value_plane(y, z, weight[1], i, 2, add, exclusive, wx);
-        float plane3 = bl_value_plane(y, z, weight[1], i, 3, add, exclusive, wx);
+    for (size_t i = 0; i < lanes; i++) {
+        const bl_value_x keys = {x->add[0][i],       x->add[1][i],       x->add[2][i],
+                                 x->add[3][i],       x->exclusive[0][i], x->exclusive[1][i],
+                                 x->exclusive[2][i], x->exclusive[3][i], weight[0][0][i],
+                                 weight[0][1][i],    weight[0][2][i],    weight[0][3][i]};
+        float plane0 = bl_value_plane(keys, y, weight[1], z->add[0][i], z->exclusive[0][i], i);
+        float plane1 = bl_value_plane(keys, y, weight[1], z->add[1][i], z->exclusive[1][i], i);
+        float plane2 = bl_value_plane(keys, y, weight[1], z->add[2][i], z->exclusive[2][i], i);
+        float plane3 = bl_value_plane(keys, y, weight[1], z->add[3][i], z->exclusive[3][i], i);
         out[i] = (plane0 * weight[2][0][i] + plane1 * weight[2][1][i]) +
                  (plane2 * weight[2][2][i] + plane3 * weight[2][3][i]);
     }
@@ -249,19 +249,14 @@ static inline void bl_value_row_planes(const bl_row_block *restrict block,
             bl_value_row_add_256(block, plan, k, plane);
 }
 
-// The cubics of a row's cells from the values of their planes.
-static inline void bl_value_row_cubics(const bl_row_block *restrict block,
-                                       const bl_interp_shape *restrict shape,
-                                       const float *restrict plane,
-                                       float (*restrict cubic)[BL_PLANES]) {
-    for (int r = 0; r < 4; r++) {
-        float c0 = shape->coefficient[r][0], c1 = shape->coefficient[r][1],
-              c2 = shape->coefficient[r][2], c3 = shape->coefficient[r][3];
-        float *restrict out = cubic[r];
+// One coefficient of the cubics of a row's cells, from the values of their planes. Not inlined:
+// inlined in a loop, clang 14 does not see that the two arrays are apart.
+static __attribute__((noinline)) void bl_value_row_coefficient(
+    size_t cells, const float weight[BL_KNOTS], const float *restrict plane, float *restrict out) {
+    const float w0 = weight[0], w1 = weight[1], w2 = weight[2], w3 = weight[3];
 #pragma omp simd
-        for (size_t m = 0; m < block->cells; m++)
-            out[m] = (c0 * plane[m] + c1 * plane[m + 1]) + (c2 * plane[m + 2] + c3 * plane[m + 3]);
-    }
+    for (size_t m = 0; m < cells; m++)
+        out[m] = (w0 * plane[m] + w1 * plane[m + 1]) + (w2 * plane[m + 2] + w3 * plane[m + 3]);
 }
 
 static inline int bl_value_row_prepare(bl_value_row_plan *plan, const bl_value_noise *noise,
@@ -303,7 +298,8 @@ static inline void bl_value_row(const bl_value_noise *noise, const double start[
             return;
         }
         bl_value_row_planes(&block, &plan, &noise->lattice, plane);
-        bl_value_row_cubics(&block, plan.shape, plane, cubic);
+        for (int r = 0; r < 4; r++)
+            bl_value_row_coefficient(block.cells, plan.shape->coefficient[r], plane, cubic[r]);
         bl_row_evaluate(&block, bl_row_cubic, cubic, block.fraction, out + done);
     }
 }

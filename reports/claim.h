@@ -8,10 +8,10 @@
 #include "core/statistics.h"
 
 typedef enum bl_verdict {
-    BL_HOLDS,        // the interval lies within the expectation
-    BL_UNDECIDED,    // it straddles a limit
-    BL_REFUTED,      // it lies outside; the claim is a paper's: a finding, the run goes on
-    BL_BROKEN,       // it lies outside; the claim is our own: the run fails
+    BL_HOLDS,     // the interval lies within the expectation
+    BL_UNDECIDED, // it straddles a limit
+    BL_REFUTED,   // it lies outside; the claim is a paper's: a finding, the run goes on
+    BL_BROKEN,    // it lies outside; the claim is our own: the run fails
     BL_NOT_RUN
 } bl_verdict;
 
@@ -27,6 +27,7 @@ typedef struct bl_claim {
 
 // Fills the verdict from expected, measured and whether the source is "bandlimit".
 void bl_claim_judge(bl_claim *claim);
-const char *bl_verdict_word(bl_verdict verdict); // "holds", "undecided", "refuted", "broken", "not run"
+const char *
+bl_verdict_word(bl_verdict verdict); // "holds", "undecided", "refuted", "broken", "not run"
 
 #endif

@@ -254,8 +254,8 @@ static bl_status run_it(bl_run *run, bl_message *message) {
     return status;
 }
 
-bl_status bl_run_figure(const bl_figure *figure, const bl_reproduce_settings *settings,
-                        size_t done, size_t total, bl_run **out, bl_message *message) {
+bl_status bl_run_figure(const bl_figure *figure, const bl_reproduce_settings *settings, size_t done,
+                        size_t total, bl_run **out, bl_message *message) {
     bl_run *run = calloc(1, sizeof *run);
     if (!run)
         return bl_report(message, BL_DEVICE, "out of memory");

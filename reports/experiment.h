@@ -32,8 +32,8 @@ typedef struct bl_figure {
 } bl_figure;
 
 size_t bl_figure_count(void);
-const bl_figure *bl_figure_at(size_t index);          // NULL past the end
-const bl_figure *bl_figure_find(const char *name);    // NULL for an unknown name
+const bl_figure *bl_figure_at(size_t index);       // NULL past the end
+const bl_figure *bl_figure_find(const char *name); // NULL for an unknown name
 
 // Names the descriptor of a figure file: BL_FIGURE_DESCRIPTOR(peachey_2_37) = {...};
 #define BL_FIGURE_DESCRIPTOR(stem)                                                                 \
@@ -50,8 +50,7 @@ double bl_run_pick(const bl_run *run, double quick, double normal, double full);
 void bl_run_step(bl_run *run, const char *step);
 
 // A text made by printf that lives as long as the run and its result; "" if out of memory.
-const char *bl_run_text(bl_run *run, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+const char *bl_run_text(bl_run *run, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 // A named setting of the figure, for the page, JSON, the head of every CSV file written later, and
 // the attributes of images. `value` may be made by bl_run_text.
@@ -95,8 +94,8 @@ typedef struct bl_run_view {
 
 // Makes the figure's folder and runs the figure: everything but the page. On success the caller
 // frees the run with bl_run_free. `done` of `total` figures are for the progress callback.
-bl_status bl_run_figure(const bl_figure *figure, const bl_reproduce_settings *settings,
-                        size_t done, size_t total, bl_run **run, bl_message *message);
+bl_status bl_run_figure(const bl_figure *figure, const bl_reproduce_settings *settings, size_t done,
+                        size_t total, bl_run **run, bl_message *message);
 bl_run_view bl_run_look(const bl_run *run);
 void bl_run_free(bl_run *run);
 

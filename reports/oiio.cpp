@@ -93,10 +93,11 @@ bool write_values(OIIO::ImageOutput &output, const bl_image &image, Format forma
         return output.write_image(OIIO::TypeDesc::FLOAT, image.values);
     double black, white;
     range_of(image, count, black, white);
-    return image.bits == 16 ? output.write_image(OIIO::TypeDesc::UINT16,
-                                                 codes_of<uint16_t>(image, count, black, white).data())
-                            : output.write_image(OIIO::TypeDesc::UINT8,
-                                                 codes_of<uint8_t>(image, count, black, white).data());
+    return image.bits == 16
+               ? output.write_image(OIIO::TypeDesc::UINT16,
+                                    codes_of<uint16_t>(image, count, black, white).data())
+               : output.write_image(OIIO::TypeDesc::UINT8,
+                                    codes_of<uint8_t>(image, count, black, white).data());
 }
 
 OIIO::ImageSpec spec_of(const bl_image &image, Format format, int channels) {
@@ -108,6 +109,7 @@ OIIO::ImageSpec spec_of(const bl_image &image, Format format, int channels) {
     if (channels == 1)
         spec.channelnames = {"Y"};
     spec.attribute("compression", "zip");
+    spec.attribute("DateTime", ""); // else the time of writing: the same image, the same bytes
     if (format == Format::png)
         spec.attribute("oiio:ColorSpace", "sRGB"); // codes are for the eye as they stand
     put_attributes(image, spec);
@@ -136,8 +138,8 @@ bl_status write_image(const char *path, const bl_image &image, bl_message *messa
     if (!temporary)
         return bl_report(message, BL_DEVICE, "out of memory");
     auto output = OIIO::ImageOutput::create(path);
-    bool good = output && output->open(temporary.get(),
-                                       spec_of(image, format, static_cast<int>(channels)));
+    bool good =
+        output && output->open(temporary.get(), spec_of(image, format, static_cast<int>(channels)));
     good = good && write_values(*output, image, format, image.width * image.height * channels);
     good = good && output->close();
     if (good)
@@ -266,8 +268,8 @@ extern "C" void image_release(void *parameters) {
     delete static_cast<Block *>(parameters)->pixels;
 }
 
-const bl_signal_functions image_functions = {image_row, image_points, image_value, nullptr, nullptr,
-                                             nullptr,   nullptr,      image_release};
+const bl_signal_functions image_functions = {image_row, image_points, image_value, nullptr,
+                                             nullptr,   nullptr,      nullptr,     image_release};
 
 bl_status check_file(const char *path, bl_message *message) {
     struct stat info;
@@ -388,8 +390,8 @@ bl_status read_all(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int par
     return BL_OK;
 }
 
-bl_status make_signal(const bl_image_source &source, double spacing,
-                      std::unique_ptr<Pixels> pixels, bl_signal **out, bl_message *message) {
+bl_status make_signal(const bl_image_source &source, double spacing, std::unique_ptr<Pixels> pixels,
+                      bl_signal **out, bl_message *message) {
     const Block block = {spacing, pixels.get()};
     bl_signal *signal = bl_signal_new(&image_functions, &block, sizeof block, source.text);
     if (!signal)

@@ -134,9 +134,10 @@ static void put_claim(FILE *out, const bl_claim *claim, int first) {
 static void put_claims(FILE *out, const bl_figure_result *result) {
     if (result->claim_count == 0)
         return;
-    fputs("<h3>Claims</h3>\n<table><thead><tr><th>Reading</th><th>Expected</th><th>Measured</th>"
-          "<th>Interval</th><th>Samples</th><th>Verdict</th></tr></thead>\n<tbody>\n",
-          out);
+    fputs(
+        "<h3>Claims</h3>\n<table><thead><tr><th>Reading</th><th>Expected</th><th>Measured</th>"
+        "<th>Interval</th><th>Samples</th><th>Verdict</th></tr></thead>\n<tbody>\n",
+        out);
     for (size_t i = 0; i < result->claim_count; i++)
         put_claim(out, &result->claims[i],
                   i == 0 || !same_sentence(&result->claims[i - 1], &result->claims[i]));
@@ -183,25 +184,56 @@ static bl_status put_figure(FILE *out, const bl_run_view *view, bl_message *mess
     return BL_OK;
 }
 
+static int fails(const bl_claim *claim) {
+    return claim->verdict == BL_REFUTED || claim->verdict == BL_BROKEN;
+}
+
+// One sentence, claims `from` to `to` - 1, with the readings in which it fails.
+static void put_finding(FILE *out, const bl_figure_result *result, size_t from, size_t to) {
+    size_t failing = 0;
+    for (size_t i = from; i < to; i++)
+        failing += (size_t)fails(&result->claims[i]);
+    put_tagged(out, "<li>", result->claims[from].sentence, " <span class=\"soft\">");
+    put_tagged(out, "", result->claims[from].source, "</span>\n<ul>\n");
+    for (size_t i = from; i < to; i++) {
+        const bl_claim *claim = &result->claims[i];
+        if (!fails(claim))
+            continue;
+        fputs("<li>", out);
+        put_verdict(out, claim->verdict);
+        put_tagged(out, " ", claim->reading, ": ");
+        fprintf(out, "%.4g", claim->measured.value);
+        put_tagged(out, " ", claim->unit, ", expected ");
+        put_expected(out, claim);
+        fputs("</li>\n", out);
+    }
+    fputs("</ul>\n", out);
+    if (failing < to - from)
+        fprintf(out, "<span class=\"soft\">%zu of %zu readings</span> ", failing, to - from);
+    put_tagged(out, "<a href=\"#", result->figure->name, "\">");
+    put_tagged(out, "", result->figure->name, "</a></li>\n");
+}
+
 // The claims that somebody should read first, each with a link to its figure.
 static void put_findings(FILE *out, const bl_run_view *views, size_t count) {
     int any = 0;
-    for (size_t f = 0; f < count; f++)
-        for (size_t i = 0; i < views[f].result->claim_count; i++) {
-            const bl_claim *claim = &views[f].result->claims[i];
-            if (claim->verdict != BL_REFUTED && claim->verdict != BL_BROKEN)
+    for (size_t f = 0; f < count; f++) {
+        const bl_figure_result *result = views[f].result;
+        for (size_t from = 0, to; from < result->claim_count; from = to) {
+            int failing = 0;
+            for (to = from; to < result->claim_count &&
+                            same_sentence(&result->claims[from], &result->claims[to]);
+                 to++)
+                failing |= fails(&result->claims[to]);
+            if (!failing)
                 continue;
-            fputs(any ? "" : "<h2>What does not hold</h2>\n<ul>\n", out);
+            fputs(any ? "" : "<section>\n<h2>What does not hold</h2>\n<ol class=\"findings\">\n",
+                  out);
             any = 1;
-            put_tagged(out, "<li>", claim->sentence, " ");
-            put_tagged(out, "<span class=\"soft\">(", claim->reading, ": ");
-            fprintf(out, "%.4g", claim->measured.value);
-            put_tagged(out, " ", claim->unit, ")</span> ");
-            put_verdict(out, claim->verdict);
-            put_tagged(out, " in <a href=\"#", views[f].result->figure->name, "\">");
-            put_tagged(out, "", views[f].result->figure->name, "</a></li>\n");
+            put_finding(out, result, from, to);
         }
-    fputs(any ? "</ul>\n" : "", out);
+    }
+    fputs(any ? "</ol>\n</section>\n" : "", out);
 }
 
 static void put_summary(FILE *out, const bl_run_view *views, size_t count) {
@@ -211,9 +243,10 @@ static void put_summary(FILE *out, const bl_run_view *views, size_t count) {
             verdicts[v] += views[f].result->verdicts[v];
             total += views[f].result->verdicts[v];
         }
-    fprintf(out, "<p>%zu figure%s, %zu claims measured. A claim of a paper that is refuted is a "
-                 "finding; a claim of our own that is broken is a fault.</p>\n"
-                 "<ul class=\"tally\">\n",
+    fprintf(out,
+            "<p>%zu figure%s, %zu claims measured. A claim of a paper that is refuted is a "
+            "finding; a claim of our own that is broken is a fault.</p>\n"
+            "<ul class=\"tally\">\n",
             count, count == 1 ? "" : "s", total);
     for (int v = 0; v <= BL_NOT_RUN; v++) {
         if (verdicts[v] == 0 && (v == BL_NOT_RUN || v == BL_UNDECIDED))
@@ -232,10 +265,11 @@ static void put_summary(FILE *out, const bl_run_view *views, size_t count) {
 }
 
 static void put_head(FILE *out) {
-    fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-          "<title>bandlimit: figures and claims</title>\n<style>\n",
-          out);
+    fputs(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<title>bandlimit: figures and claims</title>\n<style>\n",
+        out);
     fputs(bl_page_style, out);
     fputs("</style>\n</head>\n<body>\n<header>\n<h1>bandlimit: figures and claims</h1>\n", out);
 }

@@ -29,6 +29,8 @@ const char *const bl_page_style =
     "padding:.45rem .9rem;min-width:6.6rem}\n"
     ".tally b{display:block;font-size:1.5rem;line-height:1.2;font-variant-numeric:tabular-nums}\n"
     "nav ol{margin:.3rem 0;padding-left:1.4rem}\nnav li{margin:.2rem 0}\n"
+    ".findings{padding-left:1.4rem}\n.findings>li{margin:.7rem 0}\n"
+    ".findings ul{list-style:none;padding:0;margin:.15rem 0;font-size:.92rem}\n"
     ".plot{margin:1.2rem 0}\n"
     ".sheet{background:#fff;border:1px solid var(--line);border-radius:.5rem;padding:.5rem;"
     "overflow-x:auto}\n"

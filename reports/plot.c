@@ -21,7 +21,7 @@ const char *bl_ink_colour(bl_ink ink) {
 
 // Pixels of the SVG; the page shows it at this width at most, so the text is read at FONT pixels.
 enum { WIDTH = 1000, LEFT = 74, RIGHT = 18, SCALE_RIGHT = 96, GAP_X = 34, GAP_Y = 38 };
-enum { HEAD = 92, FOOT = 58, FONT = 15 };
+enum { HEAD = 92, FOOT = 70, FONT = 15 };
 static const double PDF_INCHES = 7, POINTS_A_PIXEL = 0.75;
 
 // Where the panels stand, in pixels.
@@ -97,8 +97,7 @@ static void put_head(FILE *out, const bl_plot *plot, const layout *l, const char
         fprintf(out,
                 "if (ending eq 'pdf') { set terminal pdfcairo size %.2fin,%.2fin noenhanced font "
                 "'Sans,%.1f' }\n",
-                PDF_INCHES, PDF_INCHES * l->height / WIDTH,
-                FONT * 72 * PDF_INCHES / WIDTH);
+                PDF_INCHES, PDF_INCHES * l->height / WIDTH, FONT * 72 * PDF_INCHES / WIDTH);
     fprintf(out, "set output prefix.'%s.'.ending\nset multiplot\n", name);
 }
 
@@ -166,7 +165,8 @@ static void put_series(FILE *out, const bl_series *series) {
     }
 }
 
-// --- the legend, in one row under the title: gnuplot's own keeps to the width of one panel --------
+// --- the legend, in one row under the title: gnuplot's own keeps to the width of one panel
+// --------
 
 enum { SAMPLE = 32, LETTER = 8, LEGEND_GAP = 22, LEGEND_TOP = 48 }; // pixels; LETTER on average
 
@@ -228,7 +228,7 @@ static void put_page_texts(FILE *out, const bl_plot *plot, const layout *l) {
                  1 - (SCALE_RIGHT - 18.0) / WIDTH, 1 - HEAD / l->height);
         put_label(out, plot->scale_label, place);
     }
-    put_label(out, plot->x.label, "screen 0.5, screen 0 center offset 0, character 1.0");
+    put_label(out, plot->x.label, "screen 0.5, screen 0 center offset 0, character 0.9");
     put_label(out, plot->y.label,
               "screen 0, screen 0.5 center rotate by 90 offset character 1.4, 0");
     put_legend(out, &plot->panels[0], l);
@@ -247,7 +247,8 @@ static void put_image(FILE *out, const bl_plot *plot, const layout *l, size_t in
     fprintf(out,
             " binary filetype=png flipy origin=(%.9g,%.9g) dx=%.9g dy=%.9g using (%.9g + $1 * "
             "%.9g) with image\n",
-            plot->pixel / 2, plot->pixel / 2, plot->pixel, plot->pixel, plot->black, (plot->white - plot->black) / 255);
+            plot->pixel / 2, plot->pixel / 2, plot->pixel, plot->pixel, plot->black,
+            (plot->white - plot->black) / 255);
 }
 
 static void put_panel(FILE *out, const bl_plot *plot, const layout *l, size_t index) {

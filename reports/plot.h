@@ -27,9 +27,9 @@ const char *bl_ink_colour(bl_ink ink); // "#0072B2"
 
 typedef enum bl_stroke {
     BL_STROKE_LINE,
-   BL_STROKE_THIN,  // a thinner line, for what is drawn over another: a closed form
+    BL_STROKE_THIN, // a thinner line, for what is drawn over another: a closed form
     BL_STROKE_DASHED,
-    BL_STROKE_BAND,  // filled between y and upper
+    BL_STROKE_BAND, // filled between y and upper
     BL_STROKE_POINTS
 } bl_stroke;
 

@@ -17,11 +17,8 @@ const char *bl_size_word(bl_size size) {
 }
 
 bl_reproduce_settings bl_reproduce_default_settings(void) {
-    return (bl_reproduce_settings){.folder = "out",
-                                   .format = "svg",
-                                   .size = BL_NORMAL,
-                                   .seed = 1,
-                                   .isa = BL_ISA_BEST};
+    return (bl_reproduce_settings){
+        .folder = "out", .format = "svg", .size = BL_NORMAL, .seed = 1, .isa = BL_ISA_BEST};
 }
 
 // The runs of a reproduction, in the order of its figures.

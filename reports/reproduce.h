@@ -20,8 +20,8 @@ typedef enum bl_size { BL_QUICK, BL_NORMAL, BL_FULL } bl_size;
 const char *bl_size_word(bl_size size); // "quick", "normal", "full"
 
 typedef struct bl_reproduce_settings {
-    const char *folder; // of the output, made if missing
-    const char *format; // "svg", or "pdf" to leave a PDF of every plot as well
+    const char *folder;    // of the output, made if missing
+    const char *format;    // "svg", or "pdf" to leave a PDF of every plot as well
     const char *arguments; // the words the user gave, for the page and JSON; NULL: none
     bl_size size;
     uint64_t seed;

@@ -55,33 +55,68 @@ static double images_of(unsigned dims, size_t x, size_t y, size_t z, size_t size
     return cells;
 }
 
-// Along a row of the octant the bin only grows: |k| rounds to r while |k|^2 <= r^2 + r. Beyond bin
-// 64 the root of the mean square stands for the mean radius; they differ by less than 1/(24 r).
-static void count_row(bl_bins *bins, size_t y, size_t z) {
+// Whole numbers, so that their sums do not depend on any order.
+typedef struct bin_count {
+    uint64_t cells, squares; // squares: the sum of |k|^2
+} bin_count;
+
+// Along a row of the octant the bin only grows: |k| rounds to r while |k|^2 <= r^2 + r.
+static void count_row(const bl_bins *bins, size_t y, size_t z, bin_count *counts) {
     size_t half = bins->size / 2, rest = y * y + z * z, x = bins->dims > 1 ? y : 0;
     size_t bin = bl_bin_of((double)(x * x + rest), (double)bins->count);
+    size_t last = bin < bins->count ? bin * bin + bin : SIZE_MAX; // the last square of the bin
+    // Inside of the octant every cell has the same number of images.
+    uint64_t inside = (uint64_t)images_of(bins->dims, half ? half - 1 : 0, y, z, bins->size);
     for (; x <= half; x++) {
         size_t square = x * x + rest;
-        while (bin < bins->count && square > bin * bin + bin)
+        while (square > last) {
             bin++;
-        double cells = images_of(bins->dims, x, y, z, bins->size);
-        bins->cells[bin] += cells;
-        bins->radius[bin] += cells * (bin < 64 ? sqrt((double)square) : (double)square);
+            last = bin < bins->count ? bin * bin + bin : SIZE_MAX;
+        }
+        uint64_t images = inside;
+        if (x == y || x + 1 >= half || x == 0)
+            images = (uint64_t)images_of(bins->dims, x, y, z, bins->size);
+        counts[bin].cells += images;
+        counts[bin].squares += images * square;
     }
 }
 
-static void count_cells(bl_bins *bins) {
-    size_t half = bins->size / 2;
-    size_t y_end = bins->dims > 1 ? half : 0, z_end = bins->dims > 2 ? half : 0;
+// The mean radius of small bins by their cells; beyond, the root of the mean square stands for it,
+// which differs by less than 1/(24 r).
+static void fill_radius(bl_bins *bins, const bin_count *counts) {
+    enum { EXACT = 32 };
+    size_t half = bins->size / 2, end = half < EXACT + 1 ? half : EXACT + 1;
+    size_t y_end = bins->dims > 1 ? end : 0, z_end = bins->dims > 2 ? end : 0;
     for (size_t z = 0; z <= z_end; z++)
         for (size_t y = bins->dims > 2 ? z : 0; y <= y_end; y++)
-            count_row(bins, y, z);
-    for (size_t bin = 0; bin <= bins->count; bin++)
-        if (bins->cells[bin] > 0) {
-            bins->radius[bin] /= bins->cells[bin];
-            if (bin >= 64)
-                bins->radius[bin] = sqrt(bins->radius[bin]);
-        }
+            for (size_t x = bins->dims > 1 ? y : 0; x <= end; x++) {
+                double square = (double)(x * x + y * y + z * z);
+                size_t bin = bl_bin_of(square, (double)bins->count);
+                if (bin <= EXACT)
+                    bins->radius[bin] +=
+                        images_of(bins->dims, x, y, z, bins->size) * sqrt(square);
+            }
+    for (size_t bin = 0; bin <= bins->count; bin++) {
+        double cells = (double)counts[bin].cells, squares = (double)counts[bin].squares;
+        bins->cells[bin] = cells;
+        if (cells > 0)
+            bins->radius[bin] =
+                bin <= EXACT && bin < bins->count ? bins->radius[bin] / cells : sqrt(squares / cells);
+    }
+}
+
+static bl_status count_cells(bl_bins *bins, bl_message *message) {
+    size_t half = bins->size / 2;
+    size_t y_end = bins->dims > 1 ? half : 0, z_end = bins->dims > 2 ? half : 0;
+    bin_count *counts = calloc(bins->count + 1, sizeof *counts);
+    if (!counts)
+        return bl_report(message, BL_DEVICE, "out of memory for %zu bins", bins->count);
+    for (size_t z = 0; z <= z_end; z++)
+        for (size_t y = bins->dims > 2 ? z : 0; y <= y_end; y++)
+            count_row(bins, y, z, counts);
+    fill_radius(bins, counts);
+    free(counts);
+    return BL_OK;
 }
 
 // --- broadening ---
@@ -166,9 +201,12 @@ bl_status bl_bins_open(unsigned dims, size_t size, bl_window window, bl_bins *bi
         bl_bins_close(bins);
         return bl_report(message, BL_DEVICE, "out of memory for %zu bins", size / 2 + 1);
     }
-    count_cells(bins);
-    fill_broadening(bins, window);
-    return BL_OK;
+    bl_status status = count_cells(bins, message);
+    if (status == BL_OK)
+        fill_broadening(bins, window);
+    else
+        bl_bins_close(bins);
+    return status;
 }
 
 void bl_bins_close(bl_bins *bins) {

@@ -138,6 +138,24 @@ static void fill_bin(bl_psd *psd, size_t bin, const bin_spread *spread, double s
         psd->upper[bin] = 0; // 0/0 where the quantile underflows
 }
 
+// One average has no spread: the interval of its variance is that of a Gaussian signal with the
+// measured spectrum, var V = broadening sum over bins of 2 power^2 / cells.
+static void fill_lone_variance(bl_psd *psd, const bl_bins *bins) {
+    double total = 0, square = 0, tail = 0.5 * (1 - psd->settings.level);
+    for (size_t bin = 0; bin <= psd->count; bin++) {
+        double power = psd->profiles[bin];
+        total += power;
+        if (bins->cells[bin] > 0)
+            square += power * power / bins->cells[bin] * bins->broad;
+    }
+    bl_estimate *variance = &psd->variance;
+    if (!(square > 0))
+        return;
+    double dof = total * total / square;
+    variance->lower = variance->value / bl_chi_square_ratio(1 - tail, dof);
+    variance->upper = variance->value / bl_chi_square_ratio(tail, dof);
+}
+
 bl_status bl_psd_fill_limits(bl_psd *psd, const bl_bins *bins, double overlap, int on_grid,
                              bl_message *message) {
     bin_spread *spread = calloc(psd->count, sizeof *spread);
@@ -163,5 +181,7 @@ bl_status bl_psd_fill_limits(bl_psd *psd, const bl_bins *bins, double overlap, i
             break;
     }
     free(spread);
+    if (averages == 1)
+        fill_lone_variance(psd, bins);
     return BL_OK;
 }

@@ -17,6 +17,9 @@
 // Columns: 128 bytes of each row, and a block of 4096 rows stays in the L2 cache.
 enum { BLOCK = BL_CELLS_AT_ONCE, LINE_FLOATS = 16 /* floats in a cache line */ };
 
+// Blocks that share partial sums: one piece of work.
+enum { CHUNK = 4 };
+
 // Rows start on cache lines, an odd number of them apart, so that the cells of a column fall into
 // different sets of the cache.
 size_t bl_psd_pitch(size_t size) {
@@ -152,9 +155,10 @@ static bl_status run_slice(const bl_transform *transform, float *samples, double
                            int keep, bl_transformed *result, bl_message *message) {
     size_t size = transform->size, bins = transform->count + 1;
     size_t blocks = (transform->count + BLOCK - 1) / BLOCK;
+    size_t chunks = (blocks + CHUNK - 1) / CHUNK;
     size_t scratch_floats = size * 2 * BLOCK;
     float *scratch = bl_fft_buffer((size_t)threads * scratch_floats * sizeof(float));
-    bl_bin_sum *parts = calloc(blocks * bins, sizeof *parts);
+    bl_bin_sum *parts = calloc(chunks * bins, sizeof *parts);
     double *squares = malloc(size * sizeof *squares);
     if (!scratch || !parts || !squares) {
         free(scratch);
@@ -175,10 +179,11 @@ static bl_status run_slice(const bl_transform *transform, float *samples, double
             bl_fft_run_row(transform->row, own, row);
         }
 #pragma omp for schedule(dynamic, 1)
-        for (size_t block = 0; block < blocks; block++)
-            run_block(transform, samples, block, own, keep, parts + block * bins);
+        for (size_t chunk = 0; chunk < chunks; chunk++)
+            for (size_t b = chunk * CHUNK; b < blocks && b < (chunk + 1) * CHUNK; b++)
+                run_block(transform, samples, b, own, keep, parts + chunk * bins);
     }
-    merge_sums(result->sums, parts, bins, blocks, transform->scale);
+    merge_sums(result->sums, parts, bins, chunks, transform->scale);
     result->windowed = 0;
     for (size_t y = 0; y < size; y++)
         result->windowed += squares[y];
@@ -194,7 +199,8 @@ static double run_volume(const bl_transform *transform, float *samples, double m
     const float *window = transform->window_float;
     double windowed = 0;
     for (size_t row = 0; row < size * size; row++) {
-        float *at = samples + row * transform->pitch, factor = window[row % size] * window[row / size];
+        float *at = samples + row * transform->pitch;
+        float factor = window[row % size] * window[row / size];
         windowed += transform->loops->weight_row(at, window, size, (float)mean, factor, at);
     }
     bl_fft_run(transform->whole, samples);

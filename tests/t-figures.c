@@ -186,7 +186,8 @@ static void test_json_agrees_with_the_result(void **state) {
         assert_string_equal(json_string_value(json_object_get(json, "version")), BL_VERSION);
         assert_string_equal(json_string_value(json_object_get(json, "arguments")),
                             "reproduce --quick");
-        json_t *claims = json_object_get(json, "claims"), *settings = json_object_get(json, "settings");
+        json_t *claims = json_object_get(json, "claims"),
+               *settings = json_object_get(json, "settings");
         assert_int_equal(json_array_size(claims), figure->claim_count);
         assert_true(json_object_size(settings) > 0);
         assert_int_equal(json_array_size(json_object_get(json, "files")), figure->file_count);
@@ -234,7 +235,8 @@ static void test_bad_requests_are_refused_before_anything_runs(void **state) {
     bl_message message = {""};
     bl_reproduction result;
     bl_reproduce_settings settings = quick("refused");
-    const char *const unknown[] = {"peachey-2.73"}, *const twice[] = {"peachey-2.35", "peachey-2.35"};
+    const char *const unknown[] = {"peachey-2.73"}, *const twice[] = {"peachey-2.35",
+                                                                      "peachey-2.35"};
     assert_int_equal(bl_reproduce(unknown, 1, &settings, &result, &message), BL_USAGE);
     assert_non_null(strstr(message.text, "did you mean"));
     assert_int_equal(bl_reproduce(twice, 2, &settings, &result, &message), BL_USAGE);

@@ -12,6 +12,13 @@
 #include "reports/source.h"
 #include "spectra/psd.h"
 
+// On a damaged PNG, libpng leaves OpenImageIO's reader by longjmp over a string: 31 bytes are lost
+// each time, and not by us. The stack that the leak checker sees ends at the string's assignment.
+const char *__lsan_default_suppressions(void);
+const char *__lsan_default_suppressions(void) {
+    return "leak:_M_assign\n";
+}
+
 enum { ARGUMENTS = 24 };
 
 // Runs oiiotool in the temporary folder on words separated by blanks.
@@ -63,8 +70,9 @@ static double at(const bl_signal *signal, double x, double y) {
 
 static void test_white_noise_has_its_variance_and_a_flat_spectrum(void **state) {
     (void)state;
-    oiiotool("--create 256x256 1 --noise:type=gaussian:mean=0.5:stddev=0.25:mono=1 -d float -o "
-             "white.exr");
+    oiiotool(
+        "--create 256x256 1 --noise:type=gaussian:mean=0.5:stddev=0.25:mono=1 -d float -o "
+        "white.exr");
     bl_signal *signal = open_good("white.exr", ":spacing=0.25");
     bl_psd_settings settings = bl_psd_default_settings(2);
     settings.averages = 1;
@@ -135,8 +143,9 @@ static void test_integers_are_divided_by_their_full_scale(void **state) {
 
 static void test_alpha_does_not_change_the_values(void **state) {
     (void)state;
-    oiiotool("--pattern constant:color=0.8,0.8,0.8,0.5 8x8 4 --iscolorspace linear --unpremult "
-             "-d uint8 -o alpha.png");
+    oiiotool(
+        "--pattern constant:color=0.8,0.8,0.8,0.5 8x8 4 --iscolorspace linear --unpremult "
+        "-d uint8 -o alpha.png");
     bl_signal *colour = open_good("alpha.png", ":channel=R");
     bl_signal *blocks = open_good("alpha.png", ":channel=R,memory=0");
     assert_near(at(colour, 3, 3), at(blocks, 3, 3), 0);
@@ -221,8 +230,10 @@ static void test_a_noise_is_not_taken_for_a_file(void **state) {
     assert_int_equal(bl_source_open("gnoise:seed=7", BL_ISA_BEST, &signal, &message), BL_OK);
     assert_string_equal(signal->name, "gnoise");
     bl_signal_free(signal);
+    signal = NULL;
     assert_int_equal(bl_source_open("gnoize", BL_ISA_BEST, &signal, &message), BL_USAGE);
     assert_non_null(strstr(message.text, "did you mean 'gnoise'"));
+    assert_null(signal);
     assert_true(bl_source_is_file("grain.exr:spacing=1"));
     assert_true(bl_source_is_file("./grain"));
     assert_false(bl_source_is_file("gnoise:seed=7"));
@@ -353,6 +364,25 @@ static void test_exr_and_tiff_keep_the_floats_and_the_spacing(void **state) {
     assert_int_equal(bl_temporary_run(bl_temporary_folder(), arguments), 0);
 }
 
+static void test_the_same_image_gives_the_same_bytes(void **state) {
+    (void)state;
+    static const char *const names[] = {"same.exr", "same.tif", "same.png"};
+    const bl_image image = small_image();
+    for (int f = 0; f < 3; f++) {
+        bl_message message = {""};
+        size_t size = 0, again_size = 0;
+        assert_int_equal(bl_image_write(bl_temporary_path(names[f]), &image, &message), BL_OK);
+        char *bytes = bl_temporary_read(bl_temporary_path(names[f]), &size);
+        usleep(1100000); // a time of writing would show now
+        assert_int_equal(bl_image_write(bl_temporary_path(names[f]), &image, &message), BL_OK);
+        char *again = bl_temporary_read(bl_temporary_path(names[f]), &again_size);
+        assert_int_equal(size, again_size);
+        assert_memory_equal(bytes, again, size);
+        free(bytes);
+        free(again);
+    }
+}
+
 static void test_png_codes_are_proportional_to_the_values(void **state) {
     (void)state;
     bl_image image = small_image();
@@ -408,6 +438,7 @@ int main(void) {
         cmocka_unit_test(test_damaged_bytes_never_crash),
         cmocka_unit_test(test_every_bad_setting_is_refused_with_its_reason),
         cmocka_unit_test(test_exr_and_tiff_keep_the_floats_and_the_spacing),
+        cmocka_unit_test(test_the_same_image_gives_the_same_bytes),
         cmocka_unit_test(test_png_codes_are_proportional_to_the_values),
         cmocka_unit_test(test_a_bad_image_is_not_written),
     };

@@ -20,7 +20,7 @@ static const layer layers[] = {
     {"aliasing", {"core", "filters", "noises", "spectra", "textures", "aliasing"}},
     {"reports", {"core", "filters", "noises", "spectra", "textures", "aliasing", "reports"}},
     {"reports/figures",
-     {"core", "filters", "noises", "spectra", "textures", "aliasing", "reports"}},
+     {"core", "filters", "noises", "spectra", "textures", "aliasing", "reports", "reports/figures"}},
     {"cli", {"core", "filters", "noises", "spectra", "textures", "aliasing", "reports", "cli"}},
 };
 

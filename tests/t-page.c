@@ -66,14 +66,15 @@ static size_t count(const char *text, const char *word) {
 static void test_the_page_stands_alone_and_has_no_script(void **state) {
     (void)state;
     char *page = write_example("alone.html");
-    static const char *const absent[] = {"<script", "http://", "https://", "<link", "@import",
-                                         "url("};
+    static const char *const absent[] = {"<script", "http://", "https://",
+                                         "<link",   "@import", "url("};
     for (size_t i = 0; i < sizeof absent / sizeof *absent; i++)
         if (strstr(page, absent[i]))
             fail_msg("the page holds %s", absent[i]);
     // base64 of the SVG above, by coreutils: printf '<svg ...' | base64
-    assert_non_null(strstr(page, "data:image/svg+xml;base64,PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcm"
-                                 "cvMjAwMC9zdmciLz4="));
+    assert_non_null(strstr(page,
+                           "data:image/svg+xml;base64,PHN2ZyB4bWxucz0iaHR0cDovL3d3dy53My5vcm"
+                           "cvMjAwMC9zdmciLz4="));
     free(page);
 }
 
@@ -119,7 +120,8 @@ static void test_links_lead_to_what_is_there(void **state) {
 
 static void test_the_elements_close(void **state) {
     (void)state;
-    static const char *const names[] = {"section", "table", "tr", "td", "figure", "ul", "dl", "main"};
+    static const char *const names[] = {"section", "table", "tr", "td",
+                                        "figure",  "ul",    "dl", "main"};
     char *page = write_example("closed.html");
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         char open[16], open_with[16], close[16];

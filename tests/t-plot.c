@@ -6,8 +6,9 @@
 
 #include "reports/plot.h"
 
-static const char data[] = "# a comment, with a comma\nx,low,high,\"y, quoted\"\n"
-                           "0,0,1,0.5\n1,1,2,1.5\n2,,,\n3,1,4,2\n";
+static const char data[] =
+    "# a comment, with a comma\nx,low,high,\"y, quoted\"\n"
+    "0,0,1,0.5\n1,1,2,1.5\n2,,,\n3,1,4,2\n";
 
 static const bl_series series[] = {
     {BL_STROKE_BAND, BL_INK_MEASURED, "data.csv", "x", "low", "high", "95 % band"},
@@ -43,9 +44,9 @@ static char *draw(const bl_plot *plot, const char *name, int with_pdf) {
 
 static void test_a_plot_has_letters_titles_legend_and_limits(void **state) {
     (void)state;
-    static const char *const wanted[] = {
-        "What is drawn?", "(a) first",  "(b) second", "(c) third",     "it's measured",
-        "closed_form^2",  "95 % band", "Nyquist",    "cycles per cell"};
+    static const char *const wanted[] = {"What is drawn?", "(a) first",     "(b) second",
+                                         "(c) third",      "it's measured", "closed_form^2",
+                                         "95 % band",      "Nyquist",       "cycles per cell"};
     bl_plot plot = example();
     char *svg = draw(&plot, "letters", 0);
     assert_non_null(svg);
@@ -85,7 +86,8 @@ static void test_the_script_runs_by_hand_in_its_folder(void **state) {
 static void test_a_failing_gnuplot_reports_what_it_said_and_leaves_no_picture(void **state) {
     (void)state;
     bl_message message = {""};
-    static const char script[] = "set terminal svg\nset output prefix.'bad.svg'\nplot 'missing.csv'\n";
+    static const char script[] =
+        "set terminal svg\nset output prefix.'bad.svg'\nplot 'missing.csv'\n";
     bl_temporary_write(bl_temporary_path("bad.gp"), script, sizeof script - 1);
     assert_int_equal(bl_plot_run(bl_temporary_folder(), "bad", 0, &message), BL_DEVICE);
     assert_non_null(strstr(message.text, "missing.csv"));

@@ -42,26 +42,35 @@ static bl_status write_graphs(bl_run *run, const graphs *g, bl_message *message)
         columns[2 + 2 * i] =
             (bl_column){bl_run_text(run, "%s_edge", bl_six_names[i]), g->edge[i], NULL};
     }
-    return bl_run_csv(run, "graphs", "values along a line at a random place and along a lattice edge",
-                      columns, 1 + 2 * BL_SIX, POINTS, message);
+    return bl_run_csv(run, "graphs",
+                      "values along a line at a random place and along a lattice edge", columns,
+                      1 + 2 * BL_SIX, POINTS, message);
 }
 
 static bl_status plot_graphs(bl_run *run, bl_message *message) {
     bl_series series[BL_SIX][2];
     bl_panel panels[BL_SIX];
     for (int i = 0; i < BL_SIX; i++) {
-        series[i][0] = (bl_series){BL_STROKE_THIN, BL_INK_FOURTH, "graphs.csv", "x_cells",
-                                   bl_run_text(run, "%s_edge", bl_six_names[i]), NULL,
+        series[i][0] = (bl_series){BL_STROKE_THIN,
+                                   BL_INK_FOURTH,
+                                   "graphs.csv",
+                                   "x_cells",
+                                   bl_run_text(run, "%s_edge", bl_six_names[i]),
+                                   NULL,
                                    "on a lattice edge"};
-        series[i][1] = (bl_series){BL_STROKE_LINE, BL_INK_MEASURED, "graphs.csv", "x_cells",
-                                   bl_run_text(run, "%s_random", bl_six_names[i]), NULL,
+        series[i][1] = (bl_series){BL_STROKE_LINE,
+                                   BL_INK_MEASURED,
+                                   "graphs.csv",
+                                   "x_cells",
+                                   bl_run_text(run, "%s_random", bl_six_names[i]),
+                                   NULL,
                                    "at a random place"};
         panels[i] = (bl_panel){bl_six_names[i], series[i], 2, NULL};
     }
     const bl_limit zero = {0, 0, NULL};
     const bl_plot plot = {.title = "What do the six noises look like along a line?",
                           .x = {"x, lattice cells", 0, CELLS, 5},
-                          .y = {"value", -1.3, 1.3, 0.5},
+                          .y = {"value", -1.6, 1.6, 0.5},
                           .panels = panels,
                           .panel_count = BL_SIX,
                           .columns = 2,
@@ -159,7 +168,8 @@ static void claim_continuity(bl_run *run, const bl_signal *vnoise, size_t count,
         for (size_t k = 0; k < count; k++) {
             double at[BL_AXES] = {0};
             for (int a = 0; a < 3; a++)
-                at[a] = lattice_coordinate(&random) + (on_edge || a == 0 ? 0 : bl_random_unit(&random));
+                at[a] =
+                    lattice_coordinate(&random) + (on_edge || a == 0 ? 0 : bl_random_unit(&random));
             slopes before = slopes_at(vnoise, at, -1), after = slopes_at(vnoise, at, 1);
             first[k] = fabs(after.first - before.first);
             second[k] = fabs(after.second - before.second);
@@ -221,13 +231,14 @@ static void claim_turns(bl_run *run, const bl_signal *gnoise, size_t count) {
         for (size_t k = 0; k < count; k++) {
             double at[3];
             for (int a = 0; a < 3; a++)
-                at[a] = lattice_coordinate(&random) +
-                        (on_edge || a == 0 ? 0 : bl_random_unit(&random));
+                at[a] =
+                    lattice_coordinate(&random) + (on_edge || a == 0 ? 0 : bl_random_unit(&random));
             int turns = turns_in_cell(gnoise, at, offset);
             fewest = turns < fewest ? turns : fewest;
         }
         bl_six_claim(run, "peachey2003, Gradient Noise", sentence,
-                     on_edge ? "gnoise, along a lattice edge" : "gnoise, along a line at a random place",
+                     on_edge ? "gnoise, along a lattice edge"
+                             : "gnoise, along a line at a random place",
                      "a cell", 1, unlimited, bl_exactly(fewest, (double)count));
     }
 }
@@ -235,7 +246,7 @@ static void claim_turns(bl_run *run, const bl_signal *gnoise, size_t count) {
 // --- the range of other interpolations ----------------------------------------------------------
 
 static bl_status claim_range(bl_run *run, size_t samples, bl_message *message) {
-    static const char *const kernels[] = {"catmullrom", "bspline2", "bspline3"};
+    static const char *const kernels[] = {"catmull-rom", "bspline2", "bspline3"};
     bl_histogram histogram[3];
     bl_histogram_settings settings = bl_histogram_default_settings();
     settings.samples = samples;
@@ -245,7 +256,7 @@ static bl_status claim_range(bl_run *run, size_t samples, bl_message *message) {
     int measured = 0;
     for (; measured < 3 && status == BL_OK; measured++) {
         bl_signal *signal = NULL;
-        status = bl_six_open_one(run, &signal, message, "vnoise:interpolation=%s,seed=%llu",
+        status = bl_six_open_one(run, &signal, message, "vnoise:interp=%s,seed=%llu",
                                  kernels[measured], (unsigned long long)settings.seed);
         if (status == BL_OK)
             status = bl_histogram_measure(signal, &settings, &histogram[measured], message);
@@ -255,14 +266,16 @@ static bl_status claim_range(bl_run *run, size_t samples, bl_message *message) {
     }
     for (int i = 1; i < 3 && status == BL_OK; i++) {
         bl_estimate ratio = bl_ratio_db(histogram[i].variance, histogram[0].variance);
-        const char *sentence = "B-splines approximate the lattice numbers and so have a narrower "
-                               "range than the Catmull-Rom spline.";
+        const char *sentence =
+            "B-splines approximate the lattice numbers and so have a narrower "
+            "range than the Catmull-Rom spline.";
+        bl_six_claim(
+            run, "peachey2003, Value Noise", sentence,
+            bl_run_text(run, "%s, variance against Catmull-Rom, at random places", kernels[i]),
+            "dB", -unlimited, 0, ratio);
         bl_six_claim(run, "peachey2003, Value Noise", sentence,
-                     bl_run_text(run, "%s, variance against Catmull-Rom, at random places", kernels[i]),
-                     "dB", -unlimited, 0, ratio);
-        bl_six_claim(run, "peachey2003, Value Noise", sentence,
-                     bl_run_text(run, "%s, observed range over that of Catmull-Rom", kernels[i]), "",
-                     0, 1,
+                     bl_run_text(run, "%s, observed range over that of Catmull-Rom", kernels[i]),
+                     "", 0, 1,
                      bl_exactly((histogram[i].maximum - histogram[i].minimum) /
                                     (histogram[0].maximum - histogram[0].minimum),
                                 (double)histogram[i].count));
@@ -277,8 +290,9 @@ static bl_status make_claims(bl_run *run, const bl_six *six, bl_message *message
     double *values = malloc(2 * count * sizeof *values);
     if (!values)
         return bl_report(message, BL_DEVICE, "out of memory");
-    bl_run_setting(run, "points of the claims",
-                   bl_run_text(run, "%zu, drawn from a cube of %d cells a side", count, LATTICE_SPAN));
+    bl_run_setting(
+        run, "points of the claims",
+        bl_run_text(run, "%zu, drawn from a cube of %d cells a side", count, LATTICE_SPAN));
     bl_run_step(run, "values at lattice points");
     claim_lattice_values(run, six, count, values);
     claim_turns(run, six->signal[BL_GNOISE], count / 10);
@@ -305,9 +319,10 @@ BL_FIGURE_DESCRIPTOR(peachey_2_35) = {
     .title = "Graphs of six noises",
     .question = "What do the six noises look like along a line?",
     .paper = "peachey2003, fig. 2.35",
-    .shows = "Each panel is the graph of one noise over 20 lattice cells. The blue line runs "
-             "parallel to the x axis at a random place between the lattice points; the orange one "
-             "runs along an edge of the lattice, where gradient noise is pinned to zero at every "
-             "whole x. Whether a pattern of the lattice is seen depends on which of the two lines "
-             "is taken.",
+    .shows =
+        "Each panel is the graph of one noise over 20 lattice cells. The blue line runs "
+        "parallel to the x axis at a random place between the lattice points; the orange one "
+        "runs along an edge of the lattice, where gradient noise is pinned to zero at every "
+        "whole x. Whether a pattern of the lattice is seen depends on which of the two lines "
+        "is taken.",
     .run = run_figure};

@@ -48,7 +48,8 @@ static bl_status write_slices(bl_run *run, const bl_six *six, const char *place,
                                 .white = 1,
                                 .attributes = &signal,
                                 .attribute_count = 1};
-        status = bl_run_image(run, bl_run_text(run, "%s-%s", bl_six_names[i], place), &image, message);
+        status =
+            bl_run_image(run, bl_run_text(run, "%s-%s", bl_six_names[i], place), &image, message);
     }
     return status;
 }
@@ -79,9 +80,12 @@ static bl_status make_slices(bl_run *run, const bl_six *six, bl_message *message
     double z = 0.25 + 0.5 * bl_random_unit(&random); // well between two planes
     bl_run_setting(run, "slice at a random place", bl_run_text(run, "z = %.6f", z));
     bl_run_setting(run, "slice on a lattice plane", "z = 0");
-    bl_run_setting(run, "image", bl_run_text(run, "%d x %d cells, %d pixels a cell, x to the right, "
-                                                  "y downwards; grey from -1 (black) to 1 (white)",
-                                             CELLS, CELLS, PER_CELL));
+    bl_run_setting(
+        run, "image",
+        bl_run_text(run,
+                    "%d x %d cells, %d pixels a cell, x to the right, "
+                    "y downwards; grey from -1 (black) to 1 (white), beyond them clipped, in PNG",
+                    CELLS, CELLS, PER_CELL));
     float *values = malloc(sizeof *values * SIDE * SIDE);
     if (!values)
         return bl_report(message, BL_DEVICE, "out of memory");
@@ -152,7 +156,7 @@ static void measure_contrast(const bl_run *run, const bl_signal *signal, int on_
 static bl_status claim_contrast(bl_run *run, const bl_six *six, double *contrast_value,
                                 bl_message *message) {
     size_t repeats = (size_t)bl_run_pick(run, 16, 32, 64);
-    size_t cells = (size_t)bl_run_pick(run, 32, 250, 20000);
+    size_t cells = (size_t)bl_run_pick(run, 32, 500, 20000);
     bl_run_setting(run, "lattice contrast",
                    bl_run_text(run, "%d x %d places in the cell, %zu pairs of %zu random cells",
                                PHASES, PHASES, repeats, cells));
@@ -164,7 +168,8 @@ static bl_status claim_contrast(bl_run *run, const bl_six *six, double *contrast
         const char *where = on_plane ? "slice on a lattice plane" : "slice at random places";
         bl_run_step(run, "lattice contrast");
         for (int i = 0; i < BL_SIX; i++) {
-            measure_contrast(run, six->signal[i], on_plane, cells, repeats, all + (size_t)i * repeats);
+            measure_contrast(run, six->signal[i], on_plane, cells, repeats,
+                             all + (size_t)i * repeats);
             contrast_value[2 * i + on_plane] =
                 bl_mean_estimate(all + (size_t)i * repeats, repeats, 0.95).value;
         }
@@ -184,10 +189,11 @@ static bl_status claim_contrast(bl_run *run, const bl_six *six, double *contrast
                          bl_run_text(run, "against %s, %s", bl_six_names[i], where), "", 0,
                          unlimited, bl_mean_estimate(difference, repeats, 0.95));
         }
-        bl_six_claim(run, "bandlimit",
-                     "Impulses at uniform places make scnoise stationary: its lattice contrast is 0.",
-                     bl_run_text(run, "scnoise, %s", where), "", -0.05, 0.05,
-                     bl_mean_estimate(all + BL_SCNOISE * repeats, repeats, 0.95));
+        bl_six_claim(
+            run, "bandlimit",
+            "Impulses at uniform places make scnoise stationary: its lattice contrast is 0.",
+            bl_run_text(run, "scnoise, %s", where), "", -0.05, 0.05,
+            bl_mean_estimate(all + BL_SCNOISE * repeats, repeats, 0.95));
     }
     free(all);
     return BL_OK;
@@ -208,14 +214,14 @@ static double mean_anisotropy(const bl_psd *psd) {
     return count ? sum / (double)count : NAN;
 }
 
-enum { ANISOTROPY_REPEATS = 4 };
+enum { ANISOTROPY_REPEATS = 6 };
 
 static bl_status measure_anisotropy(bl_run *run, const bl_signal *signal,
                                     double out[ANISOTROPY_REPEATS], bl_message *message) {
     bl_psd_settings settings = bl_psd_default_settings(2);
     settings.rate = 8;
     settings.size = (size_t)bl_run_pick(run, 128, 256, 512);
-    settings.averages = (size_t)bl_run_pick(run, 2, 4, 64);
+    settings.averages = (size_t)bl_run_pick(run, 2, 16, 256);
     settings.axis[2] = 1;
     settings.threads = bl_run_settings(run)->threads;
     for (int r = 0; r < ANISOTROPY_REPEATS; r++) {
@@ -283,9 +289,10 @@ BL_FIGURE_DESCRIPTOR(peachey_2_36) = {
     .title = "Slices of six noises",
     .question = "What do the six noises look like in a slice, and how much of the lattice shows?",
     .paper = "peachey2003, fig. 2.36",
-    .shows = "Slices of 16 by 16 cells, all on the same scale of grey: first at a random height "
-             "between two planes of the lattice, then on a plane, where the regular zeros of "
-             "gradient noise show. The claims put two numbers to the grid pattern: how much the "
-             "variance depends on the place in the cell, and how much the spectrum prefers "
-             "directions.",
+    .shows =
+        "Slices of 16 by 16 cells, all on the same scale of grey: first at a random height "
+        "between two planes of the lattice, then on a plane, where the regular zeros of "
+        "gradient noise show. The claims put two numbers to the grid pattern: how much the "
+        "variance depends on the place in the cell, and how much the spectrum prefers "
+        "directions.",
     .run = run_figure};

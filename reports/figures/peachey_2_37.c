@@ -81,13 +81,19 @@ static bl_status plot_lines(bl_run *run, const bl_six_spectra *spectra, bl_messa
     for (int i = 0; i < BL_SIX; i++) {
         const char *name = bl_six_names[i];
         int theory = spectra->psd[BL_READING_LINE][i].theory != NULL;
-        series[i][0] = (bl_series){BL_STROKE_BAND, BL_INK_MEASURED, file, x,
+        series[i][0] = (bl_series){BL_STROKE_BAND,
+                                   BL_INK_MEASURED,
+                                   file,
+                                   x,
                                    bl_run_text(run, "%s_lower_db", name),
-                                   bl_run_text(run, "%s_upper_db", name), "95 % band"};
-        series[i][1] = (bl_series){BL_STROKE_THIN, BL_INK_MEASURED, file, x,
-                                   bl_run_text(run, "%s_db", name), NULL, "measured"};
-        series[i][2] = (bl_series){BL_STROKE_THIN, BL_INK_THEORY, file, x,
-                                   bl_run_text(run, "%s_theory_db", name), NULL, "closed form"};
+                                   bl_run_text(run, "%s_upper_db", name),
+                                   "95 % band"};
+        series[i][1] =
+            (bl_series){BL_STROKE_THIN, BL_INK_MEASURED, file, x, bl_run_text(run, "%s_db", name),
+                        NULL,           "measured"};
+        series[i][2] = (bl_series){
+            BL_STROKE_THIN, BL_INK_THEORY, file, x, bl_run_text(run, "%s_theory_db", name),
+            NULL,           "closed form"};
         panels[i] = (bl_panel){name, series[i], theory ? 3 : 2, NULL};
     }
     const bl_plot plot =
@@ -108,19 +114,24 @@ static bl_status plot_readings(bl_run *run, bl_message *message) {
     bl_panel panels[BL_SIX];
     for (int i = 0; i < BL_SIX; i++) {
         for (int r = 0; r < BL_READINGS; r++)
-            series[i][r] = (bl_series){BL_STROKE_THIN, inks[r],
+            series[i][r] = (bl_series){BL_STROKE_THIN,
+                                       inks[r],
                                        bl_run_text(run, "spectra-%s.csv", bl_reading_names[r]),
                                        "frequency_cycles_per_cell",
-                                       bl_run_text(run, "%s_db", bl_six_names[i]), NULL, labels[r]};
+                                       bl_run_text(run, "%s_db", bl_six_names[i]),
+                                       NULL,
+                                       labels[r]};
         panels[i] = (bl_panel){bl_six_names[i], series[i], BL_READINGS, NULL};
     }
-    const bl_plot plot =
-        plot_of("How much do the spectra depend on where and how they are read?", panels, &band_end);
-    return bl_run_plot(run, "readings", &plot,
-                       "The same six noises read in four ways: along a line at a random place, "
-                       "along a lattice edge, and by radial frequency in a slice and in a volume. "
-                       "The more dimensions, the higher the frequencies that carry the power.",
-                       message);
+    const bl_plot plot = plot_of("How much do the spectra depend on where and how they are read?",
+                                 panels, &band_end);
+    return bl_run_plot(
+        run, "readings", &plot,
+        "The same six noises read in four ways: along a line at a random place, "
+        "along a lattice edge, and by radial frequency in a slice and in a volume. "
+        "The more dimensions, the higher the frequencies that carry the power. Where one "
+        "of the two lines is not seen, it lies under the other.",
+        message);
 }
 
 static bl_status run_figure(bl_run *run, bl_message *message) {
@@ -148,9 +159,10 @@ BL_FIGURE_DESCRIPTOR(peachey_2_37) = {
     .title = "Power spectra of six noises",
     .question = "Where in frequency does the power of the six noises lie?",
     .paper = "peachey2003, fig. 2.37",
-    .shows = "Each panel is the power spectrum of one noise. First along a line at a random place: "
-             "the measurement with its 95 % band, and the closed form as this window sees it. Then "
-             "the same noises read in four ways, each as power by frequency that sums to the "
-             "variance; a line, a slice and a volume of one noise have different spectra, and a "
-             "sentence that is true of one may be false of another.",
+    .shows =
+        "Each panel is the power spectrum of one noise. First along a line at a random place: "
+        "the measurement with its 95 % band, and the closed form as this window sees it. Then "
+        "the same noises read in four ways, each as power by frequency that sums to the "
+        "variance; a line, a slice and a volume of one noise have different spectra, and a "
+        "sentence that is true of one may be false of another.",
     .run = run_figure};

@@ -35,10 +35,12 @@ static void claim_share(bl_run *run, const bl_six_spectra *spectra, int noise, d
 }
 
 static void claim_value_and_gradient(bl_run *run, const bl_six_spectra *spectra) {
-    static const char high[] = "Gradient noise has more energy above 0.7 than value noise: its "
-                               "share less that of vnoise.";
-    static const char low[] = "Gradient noise has less energy below 0.3 than value noise: its "
-                              "share less that of vnoise.";
+    static const char high[] =
+        "Gradient noise has more energy above 0.7 than value noise: its "
+        "share less that of vnoise.";
+    static const char low[] =
+        "Gradient noise has less energy below 0.3 than value noise: its "
+        "share less that of vnoise.";
     claim_share(run, spectra, BL_VNOISE, 1, INFINITY, 0, significant, value_section,
                 "Value noise has no significant energy (no more than 1 %) above frequency 1.");
     claim_share(run, spectra, BL_GNOISE, 0.3, 0.7, most, 1, gradient_section,
@@ -92,19 +94,25 @@ static void claim_hermite(bl_run *run, const bl_six_spectra *spectra) {
                      reading_of(run, BL_HERMITE, r), "dB", 0, unlimited,
                      slope_db(&spectra->psd[r][BL_HERMITE], 0, 0.05, 0.15, 0.25));
     for (int r = 0; r < BL_READINGS; r++)
-        bl_six_claim(run, hermite_section,
-                     "From 0.2 on it falls: the density at 0.45-0.55 over that at 0.15-0.25.",
-                     reading_of(run, BL_HERMITE, r), "dB", -unlimited, 0,
-                     slope_db(&spectra->psd[r][BL_HERMITE], 0.15, 0.25, 0.45, 0.55));
-    claim_share(run, spectra, BL_HERMITE, 1, INFINITY, 0, significant, hermite_section,
-                "It has fallen to 0 at frequency 1: the share above 1 is at most 1 %.");
+        bl_six_claim(
+            run, hermite_section,
+            "Beyond 0.2 the spectrum of Hermite noise falls: the density at 0.45-0.55 over that "
+            "at 0.15-0.25.",
+            reading_of(run, BL_HERMITE, r), "dB", -unlimited, 0,
+            slope_db(&spectra->psd[r][BL_HERMITE], 0.15, 0.25, 0.45, 0.55));
+    claim_share(
+        run, spectra, BL_HERMITE, 1, INFINITY, 0, significant, hermite_section,
+        "The spectrum of Hermite noise has fallen to 0 at frequency 1: at most 1 % lies above.");
     for (int r = 0; r < BL_READINGS; r++)
-        bl_six_claim(run, hermite_section,
-                     "Its power is spread widely: the fullest octave holds less than half.",
-                     reading_of(run, BL_HERMITE, r), share_unit, 0, most,
-                     fullest_octave(&spectra->psd[r][BL_HERMITE]));
-    claim_share(run, spectra, BL_HERMITE, 0, 0.5, most, 1, hermite_section,
-                "Its dominant frequencies are low: over half of its energy lies below 0.5.");
+        bl_six_claim(
+            run, hermite_section,
+            "The power of Hermite noise is spread widely: the fullest octave holds less than half.",
+            reading_of(run, BL_HERMITE, r), share_unit, 0, most,
+            fullest_octave(&spectra->psd[r][BL_HERMITE]));
+    claim_share(
+        run, spectra, BL_HERMITE, 0, 0.5, most, 1, hermite_section,
+        "The dominant frequencies of Hermite noise are low: over half of its energy lies below "
+        "0.5.");
 }
 
 // --- the convolution noises ---------------------------------------------------------------------
@@ -169,14 +177,16 @@ static void claim_our_own(bl_run *run, const bl_six_spectra *spectra) {
             bl_six_claim(run, "bandlimit",
                          "The measured spectrum agrees with the closed form: the largest deviation "
                          "of its share in eight bands.",
-                         reading_of(run, i, r), "standard errors", 0, limit, largest_deviation(psd));
+                         reading_of(run, i, r), "standard errors", 0, limit,
+                         largest_deviation(psd));
         }
     double residual = 0;
     for (int r = 0; r < BL_READINGS; r++)
         for (int i = 0; i < BL_SIX; i++)
             residual = fmax(residual, spectra->psd[r][i].parseval_residual);
     bl_six_claim(run, "bandlimit", "Every spectrum sums to its variance (Parseval).",
-                 "largest relative residual", "", 0, 1e-5, bl_exactly(residual, BL_READINGS * BL_SIX));
+                 "largest relative residual", "", 0, 1e-5,
+                 bl_exactly(residual, BL_READINGS * BL_SIX));
 }
 
 void bl_six_spectra_claim(bl_run *run, const bl_six_spectra *spectra) {

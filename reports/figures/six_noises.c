@@ -31,9 +31,9 @@ bl_status bl_six_open(bl_run *run, bl_six *six, bl_message *message) {
                                               "signal (d)", "signal (e)", "signal (f)"};
     *six = (bl_six){0};
     for (int i = 0; i < BL_SIX; i++) {
-        bl_status status = bl_six_open_one(run, &six->signal[i], message, "%s:seed=%llu",
-                                           bl_six_names[i],
-                                           (unsigned long long)bl_run_settings(run)->seed);
+        bl_status status =
+            bl_six_open_one(run, &six->signal[i], message, "%s:seed=%llu", bl_six_names[i],
+                            (unsigned long long)bl_run_settings(run)->seed);
         if (status != BL_OK) {
             bl_six_close(six);
             return status;

@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-const char *const bl_reading_words[BL_READINGS] = {
-    "along a line at a random place", "along a lattice edge", "in a slice at a random place",
-    "in a volume"};
+const char *const bl_reading_words[BL_READINGS] = {"along a line at a random place",
+                                                   "along a lattice edge",
+                                                   "in a slice at a random place", "in a volume"};
 const char *const bl_reading_names[BL_READINGS] = {"line", "edge", "slice", "volume"};
 
 static bl_psd_settings settings_of(const bl_run *run, bl_reading reading) {
@@ -20,18 +20,18 @@ static bl_psd_settings settings_of(const bl_run *run, bl_reading reading) {
     switch (dims[reading]) {
     case 1:
         s.rate = 16;
-        s.size = (size_t)bl_run_pick(run, 1024, 2048, 4096);
-        s.averages = (size_t)bl_run_pick(run, 64, 512, 65536);
+        s.size = (size_t)bl_run_pick(run, 512, 2048, 4096);
+        s.averages = (size_t)bl_run_pick(run, 192, 2048, 65536);
         break;
     case 2:
         s.rate = 8;
         s.size = (size_t)bl_run_pick(run, 128, 256, 512);
-        s.averages = (size_t)bl_run_pick(run, 6, 16, 512);
+        s.averages = (size_t)bl_run_pick(run, 8, 64, 1024);
         break;
     default:
         s.rate = 4;
         s.size = (size_t)bl_run_pick(run, 32, 64, 128);
-        s.averages = (size_t)bl_run_pick(run, 4, 8, 128);
+        s.averages = (size_t)bl_run_pick(run, 6, 32, 256);
     }
     return s;
 }
