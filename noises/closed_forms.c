@@ -100,8 +100,10 @@ double bl_terms_share_above(const bl_terms *terms, double frequency) {
     return 1 - 2 * below / bl_terms_variance(terms);
 }
 
-void bl_terms_describe(const bl_terms *terms, bl_facts *facts) {
+void bl_terms_describe(const bl_terms *terms, int holds, bl_facts *facts) {
     facts->mean = 0;
+    if (!holds)
+        return;
     facts->variance = bl_terms_variance(terms);
     facts->covariance_reach = reach(terms);
     facts->band_from = 0;

@@ -55,9 +55,12 @@ double bl_terms_variance(const bl_terms *terms);
 // The share of the variance above a frequency, of the spectrum along the x axis at random places.
 double bl_terms_share_above(const bl_terms *terms, double frequency);
 
-// Fills mean 0, variance, covariance reach, and the claim that along an axis all but leak_db of the
-// variance lies in [0, 1]: the exact share outside, rounded up to the next hundredth of a dB.
-void bl_terms_describe(const bl_terms *terms, bl_facts *facts);
+// Fills mean 0 and, if the closed form holds for the settings, the variance, the covariance's
+// reach, and the claim that along an axis all but leak_db of the variance lies in [0, 1]: the exact
+// share outside, rounded up to the next hundredth of a dB. Otherwise these stay "not stated":
+// numbers of a short table that meet again move the variance by up to a percent, and a coarse table
+// of the kernel leaks far more than the kernel.
+void bl_terms_describe(const bl_terms *terms, int holds, bl_facts *facts);
 
 // Hard bounds |n| <= value, in exact arithmetic, and how they are proved (noises/bounds.c). `table`
 // is the entries a unit of a tabulated kernel, 0 for the exact one.

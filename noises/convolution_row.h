@@ -15,10 +15,10 @@
 // A row along an axis in the direction of growing coordinates.
 typedef struct axis_row {
     int axis, across[2];
-    int reversed;        // the row ran the other way: reverse its samples
-    double step;         // > 0
-    uint64_t cell;       // of the first sample, along the axis ...
-    double origin;       // ... and its place in that cell, in [0, 1)
+    int reversed;  // the row ran the other way: reverse its samples
+    double step;   // > 0
+    uint64_t cell; // of the first sample, along the axis ...
+    double origin; // ... and its place in that cell, in [0, 1)
     uint64_t cell_across[2];
     double fraction[2];
 } axis_row;

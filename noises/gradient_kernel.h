@@ -130,8 +130,7 @@ static inline void bl_gradient_block_of_spheres(const bl_point_block *restrict b
 // Any lattice and any gradients; the values are in units of 1.
 static inline void bl_gradient_block_of_any(const bl_point_block *restrict block,
                                             bl_gradients gradients,
-                                            float (*restrict fade)[BL_BLOCK],
-                                            float *restrict out) {
+                                            float (*restrict fade)[BL_BLOCK], float *restrict out) {
     uint32_t words[BL_BLOCK];
     memset(out, 0, BL_BLOCK * sizeof *out);
     for (int corner = 0; corner < 8; corner++) {
@@ -279,8 +278,7 @@ static inline void bl_gradient_row_spheres(const bl_row_block *block,
 }
 
 static inline void bl_gradient_row_any(const bl_row_block *block, const bl_gradient_row_plan *plan,
-                                       const bl_gradient_noise *noise, float *level,
-                                       float *slope) {
+                                       const bl_gradient_noise *noise, float *level, float *slope) {
     uint32_t add[BL_PLANES], exclusive[BL_PLANES], words[BL_PLANES];
     bl_row_keys(block, &noise->lattice, plan->cross.axis, 0, add, exclusive);
     memset(level, 0, block->lanes * sizeof *level);
@@ -343,8 +341,8 @@ static inline void bl_gradient_row(const bl_gradient_noise *noise, const double 
 // --- the reference in double --------------------------------------------------------------------
 
 // The value at a point and, if `gradient` is not NULL, its gradient.
-static inline double bl_gradient_reference(const bl_gradient_noise *noise,
-                                           const double at[BL_AXES], double gradient[BL_AXES]) {
+static inline double bl_gradient_reference(const bl_gradient_noise *noise, const double at[BL_AXES],
+                                           double gradient[BL_AXES]) {
     uint64_t cell[3];
     double fraction[3], sum = 0, slopes[BL_AXES] = {0};
     int inside = 1;

@@ -75,23 +75,23 @@ static double density(const void *block, const double frequency[BL_AXES]) {
     return bl_terms_density(&terms, frequency);
 }
 
+static int has_closed_form(const void *block) {
+    const gradient_parameters *p = block;
+    return p->lattice == BL_LATTICE_HASH;
+}
+
 static void describe(const void *block, bl_facts *facts) {
     const gradient_parameters *p = block;
     bl_terms terms = terms_of(block);
     bl_kernel weight = bl_gradient_weights[p->fade];
     bl_bound bound = bl_bound_gradient(weight, p->gradients == BL_GRADIENTS_EDGES);
-    bl_terms_describe(&terms, facts);
+    bl_terms_describe(&terms, has_closed_form(block), facts);
     facts->lower = -bound.value;
     facts->upper = bound.value;
     facts->bound_proof = bound.proof;
     facts->continuity = bl_kernel_continuity(weight);
     facts->period = p->lattice == BL_LATTICE_PERM256 ? 256 : 0;
     facts->far = 0x1p52;
-}
-
-static int has_closed_form(const void *block) {
-    const gradient_parameters *p = block;
-    return p->lattice == BL_LATTICE_HASH;
 }
 
 static float textbook_corner(int ix, int iy, int iz, float fx, float fy, float fz) {
@@ -116,16 +116,32 @@ static float textbook(float x, float y, float z) {
 }
 
 static const bl_parameter parameters[] = {
-    {.key = "seed", .kind = BL_SEED, .offset = offsetof(gradient_parameters, seed), .fallback = "0",
-     .unit = "", .help = "chooses the gradients"},
-    {.key = "fade", .kind = BL_CHOICE, .offset = offsetof(gradient_parameters, fade),
-     .choices = bl_gradient_fades, .fallback = "cubic", .unit = "",
+    {.key = "seed",
+     .kind = BL_SEED,
+     .offset = offsetof(gradient_parameters, seed),
+     .fallback = "0",
+     .unit = "",
+     .help = "chooses the gradients"},
+    {.key = "fade",
+     .kind = BL_CHOICE,
+     .offset = offsetof(gradient_parameters, fade),
+     .choices = bl_gradient_fades,
+     .fallback = "cubic",
+     .unit = "",
      .help = "the blend between the corners"},
-    {.key = "gradients", .kind = BL_CHOICE, .offset = offsetof(gradient_parameters, gradients),
-     .choices = bl_gradient_modes, .fallback = "sphere", .unit = "",
+    {.key = "gradients",
+     .kind = BL_CHOICE,
+     .offset = offsetof(gradient_parameters, gradients),
+     .choices = bl_gradient_modes,
+     .fallback = "sphere",
+     .unit = "",
      .help = "how gradients are drawn: uniform on the sphere, by rejection, or 12 edges"},
-    {.key = "lattice", .kind = BL_CHOICE, .offset = offsetof(gradient_parameters, lattice),
-     .choices = bl_gradient_lattices, .fallback = "hash", .unit = "",
+    {.key = "lattice",
+     .kind = BL_CHOICE,
+     .offset = offsetof(gradient_parameters, lattice),
+     .choices = bl_gradient_lattices,
+     .fallback = "hash",
+     .unit = "",
      .help = "64-bit hash, or the text's permutation of 256"},
     {.key = NULL}};
 

@@ -75,7 +75,8 @@ static void add_corner(uint32_t (*restrict words)[BL_BLOCK], const int knot[3], 
                           *restrict tz = weights[2].tangent[knot[2]];
 #pragma omp simd
     for (size_t i = 0; i < lanes; i++) {
-        float along_x = bl_lattice_value(words[0][i]) * vx[i] + bl_lattice_value(words[1][i]) * tx[i];
+        float along_x =
+            bl_lattice_value(words[0][i]) * vx[i] + bl_lattice_value(words[1][i]) * tx[i];
         float along_y = bl_lattice_value(words[2][i]) * ty[i];
         float along_z = bl_lattice_value(words[3][i]) * tz[i];
         out[i] += (along_x * vy[i] + along_y * vx[i]) * vz[i] + along_z * (vx[i] * vy[i]);
@@ -200,8 +201,7 @@ static void row(const void *block_of_parameters, const double start[BL_AXES],
     }
     for (size_t done = 0; done < count; done += block.count) {
         if (!bl_row_block_load(&block, start[axis], step[axis], done, count - done, 0)) {
-            bl_row_by_points(lattice_points, &lattice, start, step, done, count - done,
-                             out + done);
+            bl_row_by_points(lattice_points, &lattice, start, step, done, count - done, out + done);
             return;
         }
         row_planes(&block, &plan, &lattice, cubic[0], cubic[1]);
@@ -269,11 +269,16 @@ static double density(const void *block, const double frequency[BL_AXES]) {
     return bl_terms_density(&terms, frequency);
 }
 
+static int has_closed_form(const void *block) {
+    const hermite_parameters *p = block;
+    return p->lattice == BL_LATTICE_HASH;
+}
+
 static void describe(const void *block, bl_facts *facts) {
     const hermite_parameters *p = block;
     bl_terms terms = terms_of();
     bl_bound bound = bl_bound_hermite();
-    bl_terms_describe(&terms, facts);
+    bl_terms_describe(&terms, has_closed_form(block), facts);
     facts->lower = -bound.value;
     facts->upper = bound.value;
     facts->bound_proof = bound.proof;
@@ -282,20 +287,22 @@ static void describe(const void *block, bl_facts *facts) {
     facts->far = 0x1p52;
 }
 
-static int has_closed_form(const void *block) {
-    const hermite_parameters *p = block;
-    return p->lattice == BL_LATTICE_HASH;
-}
-
 static const char *const lattice_kinds[] = {"hash", "perm256", NULL};
 
-static const bl_parameter parameters[] = {
-    {.key = "seed", .kind = BL_SEED, .offset = offsetof(hermite_parameters, seed), .fallback = "0",
-     .unit = "", .help = "chooses the values and the tangents"},
-    {.key = "lattice", .kind = BL_CHOICE, .offset = offsetof(hermite_parameters, lattice),
-     .choices = lattice_kinds, .fallback = "hash", .unit = "",
-     .help = "64-bit hash, or the text's permutation of 256"},
-    {.key = NULL}};
+static const bl_parameter parameters[] = {{.key = "seed",
+                                           .kind = BL_SEED,
+                                           .offset = offsetof(hermite_parameters, seed),
+                                           .fallback = "0",
+                                           .unit = "",
+                                           .help = "chooses the values and the tangents"},
+                                          {.key = "lattice",
+                                           .kind = BL_CHOICE,
+                                           .offset = offsetof(hermite_parameters, lattice),
+                                           .choices = lattice_kinds,
+                                           .fallback = "hash",
+                                           .unit = "",
+                                           .help = "64-bit hash, or the text's permutation of 256"},
+                                          {.key = NULL}};
 
 BL_NOISE_DESCRIPTOR(hermite_noise) = {
     .name = "hermite",

@@ -23,8 +23,9 @@
 // where keys that are merely added or xored fail: with a linear last step the fourth corner
 // follows from the other three. Bits 31 to 12 of a word pass all this in 10^7 words; the bits
 // below do not (bit 0 of a product is a product of bits 0), so they are never used bare: a value
-// takes bits 31 to 12, and a gradient takes the word's size for its height and the bits of
-// word ^ rotate(word, 13), which have a good bit in each place, for its longitude.
+// takes bits 31 to 12, and a gradient takes the word's size for its height and the bits 31, 30
+// and 22 to 10 of a multiple of it, which fills the plane together with the word, for its
+// longitude.
 //
 // A component index (0 for the noises with one number a cell) adds to the sum and to the exclusive
 // or as a fourth axis would: it gives one cell several independent words.
@@ -66,7 +67,11 @@
 enum { BL_COMPONENTS = 4 };
 
 typedef enum bl_lattice_kind { BL_LATTICE_HASH, BL_LATTICE_PERM256 } bl_lattice_kind;
-typedef enum bl_gradients { BL_GRADIENTS_SPHERE, BL_GRADIENTS_REJECTION, BL_GRADIENTS_EDGES } bl_gradients;
+typedef enum bl_gradients {
+    BL_GRADIENTS_SPHERE,
+    BL_GRADIENTS_REJECTION,
+    BL_GRADIENTS_EDGES
+} bl_gradients;
 
 // What a seed makes of the hash: drawn once for a call, constant from then on.
 typedef struct bl_lattice {
@@ -188,10 +193,11 @@ typedef struct bl_sphere {
 #define BL_SPHERE_O1 -0.6496546932968489f
 #define BL_SPHERE_O0 0.09931634408635416f
 
-// A good bit in each place. The distance 13 keeps the places that the gradients use, 31, 30 and
-// 22 to 10, independent of one another and of the word's upper 13 bits, which are the height.
+// A second number that fills the plane with the first: the pairs (word, mixed) are the lattice of a
+// linear congruential generator, here the multiplier with the best spectral test for 2^32
+// (L'Ecuyer 1999, table 4).
 static inline uint32_t bl_lattice_mixed(uint32_t word) {
-    return word ^ (word << 13 | word >> 19);
+    return word * 0xac564b05u;
 }
 
 static inline bl_sphere bl_sphere_gradient(uint32_t word) {
@@ -236,7 +242,10 @@ static inline bl_vector bl_edge_gradient(uint32_t word) {
     uint32_t mixed = bl_lattice_mixed(word);
     uint32_t edge = (uint32_t)((uint64_t)mixed * 12 >> 32);
     float first = edge & 1 ? -1.0f : 1.0f, second = edge & 2 ? -1.0f : 1.0f;
-    return (bl_vector){edge < 4 ? 0.0f : first, edge < 4 ? first : edge < 8 ? 0.0f : second,
+    return (bl_vector){edge < 4 ? 0.0f : first,
+                       edge < 4   ? first
+                       : edge < 8 ? 0.0f
+                                  : second,
                        edge < 8 ? second : 0.0f};
 }
 
@@ -249,8 +258,8 @@ static inline void bl_lattice_gradient(bl_gradients gradients, uint32_t word, do
         out[2] = g.z * BL_LATTICE_UNIT;
         return;
     }
-    bl_vector g = gradients == BL_GRADIENTS_EDGES ? bl_edge_gradient(word)
-                                                  : bl_rejection_gradient(word);
+    bl_vector g =
+        gradients == BL_GRADIENTS_EDGES ? bl_edge_gradient(word) : bl_rejection_gradient(word);
     out[0] = g.x;
     out[1] = g.y;
     out[2] = g.z;

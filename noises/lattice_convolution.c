@@ -50,13 +50,29 @@ static const char *const kernels[] = {"exact", "table:N", NULL};
 
 #define AT(field) offsetof(convolution_parameters, field)
 static const bl_parameter parameters[] = {
-    {.key = "seed", .kind = BL_SEED, .offset = AT(seed), .fallback = "0", .unit = "",
+    {.key = "seed",
+     .kind = BL_SEED,
+     .offset = AT(seed),
+     .fallback = "0",
+     .unit = "",
      .help = "chooses the lattice values"},
-    {.key = "lattice", .kind = BL_CHOICE, .offset = AT(lattice), .choices = lattices,
-     .fallback = "hash", .unit = "", .help = "hash, or the text's table of 256 entries"},
-    {.key = "kernel", .kind = BL_CHOICE, .offset = AT(kernel), .choices = kernels,
-     .number_offset = AT(table_rate), .minimum = 1, .maximum = 1000000, .fallback = "exact",
-     .unit = "entries a unit", .help = "exact, or the text's table in squared distance"},
+    {.key = "lattice",
+     .kind = BL_CHOICE,
+     .offset = AT(lattice),
+     .choices = lattices,
+     .fallback = "hash",
+     .unit = "",
+     .help = "hash, or the text's table of 256 entries"},
+    {.key = "kernel",
+     .kind = BL_CHOICE,
+     .offset = AT(kernel),
+     .choices = kernels,
+     .number_offset = AT(table_rate),
+     .minimum = 1,
+     .maximum = 1000000,
+     .fallback = "exact",
+     .unit = "entries a unit",
+     .help = "exact, or the text's table in squared distance"},
     {.key = NULL}};
 #undef AT
 
@@ -208,8 +224,8 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
 typedef struct lattice_slabs {
     const cell_numbers *numbers;
     int axis, columns;
-    uint64_t cell;    // of slab 0, along the axis
-    lane_keys key[3]; // of the columns, along the two axes across
+    uint64_t cell;       // of slab 0, along the axis
+    lane_keys key[3];    // of the columns, along the two axes across
     float square[LANES]; // distance of the column from the row
 } lattice_slabs;
 
@@ -259,14 +275,17 @@ static void row_along_axis(const cell_numbers *numbers, const axis_row *row, siz
                         .origin = row->origin,
                         .step = row->step,
                         .scale = (float)(BL_LATTICE_UNIT / 2)};
-    radial_row(&line, count, out);
+    splat_row(&line, count, out);
 }
+
+#define ROW_LONGEST_STEP 0.25 // with fewer samples a cell, points are faster
 
 static void row(const void *block, const double start[BL_AXES], const double step[BL_AXES],
                 size_t count, float *out) {
     const convolution_parameters *p = block;
     axis_row along;
-    if (p->kernel == KERNEL_EXACT && count > 1 && axis_row_open(&along, start, step, count)) {
+    if (p->kernel == KERNEL_EXACT && count > 1 && axis_row_open(&along, start, step, count) &&
+        along.step <= ROW_LONGEST_STEP) {
         cell_numbers numbers;
         cell_numbers_open(&numbers, p->seed, (bl_lattice_kind)p->lattice);
         row_along_axis(&numbers, &along, count, out);
@@ -297,8 +316,7 @@ static float textbook(float x, float y, float z) {
             for (int i = -1; i <= 2; i++) {
                 float dx = (float)i - fx;
                 int entry = bl_textbook_index(cell_x + i, cell_y + j, cell_z + k);
-                sum += tables->values[entry] *
-                       textbook_kernel(tables, dx * dx + dy * dy + dz * dz);
+                sum += tables->values[entry] * textbook_kernel(tables, dx * dx + dy * dy + dz * dz);
             }
         }
     }
@@ -333,7 +351,7 @@ static double density(const void *block, const double frequency[BL_AXES]) {
 static void describe(const void *block, bl_facts *facts) {
     const convolution_parameters *p = block;
     bl_terms terms = terms_of();
-    bl_terms_describe(&terms, facts);
+    bl_terms_describe(&terms, has_closed_form(block), facts);
     bl_bound bound = bl_bound_lattice_convolution(p->kernel == KERNEL_EXACT ? 0 : p->table_rate);
     facts->lower = -bound.value;
     facts->upper = bound.value;

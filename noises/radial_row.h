@@ -13,9 +13,10 @@
 //   gather   for each sample, over the impulses of the five slabs around it, 16 at a time; partial
 //            sums stay in 16 lanes that are added in a fixed order. Pays with few samples a cell.
 //
-// A slab is the layer of lattice cells between two planes across the line. The caller fills a slab's
-// impulses. All positions are relative to a nearby slab, so that floats lose nothing far out, and
-// the order of every sum depends on the row alone: the bits are those of every instruction set.
+// A slab is the layer of lattice cells between two planes across the line. The caller fills a
+// slab's impulses. All positions are relative to a nearby slab, so that floats lose nothing far
+// out, and the order of every sum depends on the row alone: the bits are those of every instruction
+// set.
 #ifndef BL_NOISES_RADIAL_ROW_H
 #define BL_NOISES_RADIAL_ROW_H
 
@@ -30,7 +31,7 @@ enum {
     SLAB_MOST = 25 * 64,  // impulses a slab may add: 25 cells across, 64 a cell
     BATCH = 384,          // impulses after which a splat starts
     SPLAT_SAMPLES = 2048, // samples of one run of splats
-    SPLAT_CLASSES = 8,      // numbers of blocks told apart, the last for all above
+    SPLAT_CLASSES = 8,    // numbers of blocks told apart, the last for all above
     GATHER_SLABS = 64,
     GATHER_IMPULSES = 8192,
 };
@@ -47,10 +48,10 @@ typedef struct radial_line {
     // Appends the impulses of a slab, numbered from the slab of the row's first sample.
     void (*fill)(const void *context, int64_t slab, radial_impulses *impulses);
     const void *context;
-    int slab_most;  // impulses a slab may have
-    double origin;  // of sample 0 within slab 0, in [0, 1]
-    double step;    // > 0
-    float scale;    // of the results: sum of amplitude * 2 K, times scale
+    int slab_most; // impulses a slab may have
+    double origin; // of sample 0 within slab 0, in [0, 1]
+    double step;   // > 0
+    float scale;   // of the results: sum of amplitude * 2 K, times scale
 } radial_line;
 
 // --- splat --------------------------------------------------------------------------------------
@@ -111,9 +112,10 @@ typedef struct splat_impulse {
 
 // Adds an impulse to a block of samples. `outer`: its distance from the line is at least 1;
 // `quick`: by multiplications instead of the divider. Both are constants where it is called.
-static inline __attribute__((always_inline)) void
-splat_block(const float *restrict ramp, float *restrict sum, splat_impulse one, const int outer,
-            const int quick) {
+static inline __attribute__((always_inline)) void splat_block(const float *restrict ramp,
+                                                              float *restrict sum,
+                                                              splat_impulse one, const int outer,
+                                                              const int quick) {
 #pragma omp simd
     for (int l = 0; l < LANES; l++) {
         float t = ramp[l] + one.centre;
@@ -137,14 +139,13 @@ splat_chord(const float *ramp, float *sum, splat_impulse one, int blocks, const 
 }
 
 // Splats the impulses order[0..count).
-static inline __attribute__((always_inline)) void
-splat_class(const splat_batch *batch, const uint16_t *order, int count, splat_run *run,
-            const int outer) {
+static inline __attribute__((always_inline)) void splat_class(const splat_batch *batch,
+                                                              const uint16_t *order, int count,
+                                                              splat_run *run, const int outer) {
     for (int k = 0; k < count; k++) {
         int i = order[k], blocks = batch->blocks[i];
         const float *ramp = run->ramp + run->ramp_middle - blocks * (LANES / 2);
-        splat_impulse one = {batch->centre[i], batch->square[i],
-                             batch->amplitude[i]};
+        splat_impulse one = {batch->centre[i], batch->square[i], batch->amplitude[i]};
         splat_chord(ramp, run->sum + batch->first[i], one, blocks, outer);
     }
 }

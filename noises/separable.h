@@ -89,8 +89,8 @@ static inline uint32_t bl_split_near(const double *restrict x, size_t lanes,
 static inline void bl_keys_near(const bl_point_block *block, unsigned axis, bl_axis_block *keys) {
     const uint32_t high = bl_lattice_high(block->lattice, axis, 0);
     const uint32_t *restrict cell = keys->cell;
-    const uint32_t offset = block->lattice->offset[axis] + 0x80000000u - BL_NEAR_BIAS +
-                            (uint32_t)block->first;
+    const uint32_t offset =
+        block->lattice->offset[axis] + 0x80000000u - BL_NEAR_BIAS + (uint32_t)block->first;
     const size_t lanes = block->lanes;
     uint32_t *restrict first = keys->add[0], *restrict exclusive = keys->exclusive[0];
 #pragma omp simd
@@ -252,7 +252,7 @@ typedef struct bl_row_block {
     size_t count;
     uint64_t cell;
     size_t cells;
-    size_t lanes; // cells plus the planes beyond, rounded up to a multiple of BL_LANES
+    size_t lanes;   // cells plus the planes beyond, rounded up to a multiple of BL_LANES
     float per_cell; // about the samples in a cell
     int rising, dense;
 } bl_row_block;
@@ -309,8 +309,7 @@ enum { BL_PLANES = BL_CELLS + BL_KNOTS + BL_LANES };
 // The keys of the lattice planes of a row's block, from plane `first` of its first cell on.
 static inline void bl_row_keys(const bl_row_block *block, const bl_lattice *lattice, unsigned axis,
                                int first, uint32_t *restrict add, uint32_t *restrict exclusive) {
-    const uint64_t biased =
-        block->cell + (uint64_t)(int64_t)first + UINT64_C(0x80000000);
+    const uint64_t biased = block->cell + (uint64_t)(int64_t)first + UINT64_C(0x80000000);
     const uint32_t low = (uint32_t)biased, high = (uint32_t)(biased >> 32);
     const uint32_t offset = lattice->offset[axis], lanes = (uint32_t)block->lanes;
     // A block has fewer than 2^32 planes: it sees at most two high halves.

@@ -56,19 +56,39 @@ static const char *const kernels[] = {"exact", "table:N", NULL};
 
 #define AT(field) offsetof(sparse_parameters, field)
 static const bl_parameter parameters[] = {
-    {.key = "seed", .kind = BL_SEED, .offset = AT(seed), .fallback = "0", .unit = "",
+    {.key = "seed",
+     .kind = BL_SEED,
+     .offset = AT(seed),
+     .fallback = "0",
+     .unit = "",
      .help = "chooses the impulses"},
-    {.key = "impulses", .kind = BL_INTEGER, .offset = AT(impulses), .minimum = 1,
-     .maximum = IMPULSES_MOST, .fallback = "3", .unit = "a cell",
+    {.key = "impulses",
+     .kind = BL_INTEGER,
+     .offset = AT(impulses),
+     .minimum = 1,
+     .maximum = IMPULSES_MOST,
+     .fallback = "3",
+     .unit = "a cell",
      .help = "impulses in each cell; the sum is divided by it"},
-    {.key = "lattice", .kind = BL_CHOICE, .offset = AT(lattice), .choices = lattices,
-     .fallback = "hash", .unit = "", .help = "hash, or the text's table of 256 entries"},
-    {.key = "kernel", .kind = BL_CHOICE, .offset = AT(kernel), .choices = kernels,
-     .number_offset = AT(table_rate), .minimum = 1, .maximum = 1000000, .fallback = "exact",
-     .unit = "entries a unit", .help = "exact, or the text's table in squared distance"},
+    {.key = "lattice",
+     .kind = BL_CHOICE,
+     .offset = AT(lattice),
+     .choices = lattices,
+     .fallback = "hash",
+     .unit = "",
+     .help = "hash, or the text's table of 256 entries"},
+    {.key = "kernel",
+     .kind = BL_CHOICE,
+     .offset = AT(kernel),
+     .choices = kernels,
+     .number_offset = AT(table_rate),
+     .minimum = 1,
+     .maximum = 1000000,
+     .fallback = "exact",
+     .unit = "entries a unit",
+     .help = "exact, or the text's table in squared distance"},
     {.key = NULL}};
 #undef AT
-
 
 // --- the reference ------------------------------------------------------------------------------
 
@@ -152,10 +172,10 @@ enum { COLUMNS = 2 * LANES }; // 25, filled up
 typedef struct sparse_slabs {
     const sparse_source *source;
     int axis, across[2];
-    uint64_t cell;                  // of slab 0, along the axis
+    uint64_t cell; // of slab 0, along the axis
     int columns;
     lane_keys key[3][COLUMNS / LANES]; // of the columns, along the two axes across
-    float corner[2][COLUMNS];       // from the middle of the column to the row, in 2^-32 cells
+    float corner[2][COLUMNS];          // from the middle of the column to the row, in 2^-32 cells
 } sparse_slabs;
 
 static void open_columns(sparse_slabs *slabs, const axis_row *row) {
@@ -179,8 +199,7 @@ static void open_columns(sparse_slabs *slabs, const axis_row *row) {
             int a = slabs->across[s];
             set_lane_key(numbers, a, row->cell_across[s] + (uint64_t)(int64_t)offset[s],
                          &slabs->key[a][count / LANES], count % LANES);
-            slabs->corner[s][count] =
-                (float)((row->fraction[s] - offset[s] - 0.5) * IMPULSE_UNITS);
+            slabs->corner[s][count] = (float)((row->fraction[s] - offset[s] - 0.5) * IMPULSE_UNITS);
         }
         count++;
     }
@@ -194,8 +213,7 @@ typedef struct sparse_candidates {
 
 // Impulse n of LANES columns.
 static inline void place_column_impulses(const sparse_slabs *slabs, int block, int n,
-                                         const uint32_t first[LANES],
-                                         const uint32_t second[LANES],
+                                         const uint32_t first[LANES], const uint32_t second[LANES],
                                          sparse_candidates *candidates) {
     const uint32_t *factor = slabs->source->factors.of[n];
     int at = block * LANES;
@@ -239,8 +257,7 @@ static void fill_slab(const void *context, int64_t slab, radial_impulses *impuls
     const sparse_source *source = slabs->source;
     sparse_candidates candidates[IMPULSES_MOST];
     lane_keys along;
-    bl_lattice_key key =
-        lane_key(&source->numbers, slabs->axis, slabs->cell + (uint64_t)slab);
+    bl_lattice_key key = lane_key(&source->numbers, slabs->axis, slabs->cell + (uint64_t)slab);
     for (int l = 0; l < LANES; l++) {
         along.add[l] = key.add;
         along.exclusive[l] = key.exclusive;
@@ -341,7 +358,7 @@ static double density(const void *block, const double frequency[BL_AXES]) {
 static void describe(const void *block, bl_facts *facts) {
     const sparse_parameters *p = block;
     bl_terms terms = terms_of(p);
-    bl_terms_describe(&terms, facts);
+    bl_terms_describe(&terms, has_closed_form(block), facts);
     bl_bound bound = bl_bound_sparse_convolution(p->kernel == KERNEL_EXACT ? 0 : p->table_rate);
     facts->lower = -bound.value;
     facts->upper = bound.value;

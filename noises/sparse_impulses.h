@@ -2,10 +2,10 @@
 //
 // The impulses of sparse convolution: where they are in their cell, and how strong.
 //
-// A cell has two words (convolution_cells.h). Impulse n multiplies them by odd constants of its own,
-// modulo 2^32: the first word for x and y, the second for z and the amplitude. Multiplication by an
-// odd number permutes the words, so each coordinate is uniform; two coordinates of one word, or the
-// same coordinate of two impulses, form a lattice of 2^32 points in the unit square.
+// A cell has two words (convolution_cells.h). Impulse n multiplies them by odd constants of its
+// own, modulo 2^32: the first word for x and y, the second for z and the amplitude. Multiplication
+// by an odd number permutes the words, so each coordinate is uniform; two coordinates of one word,
+// or the same coordinate of two impulses, form a lattice of 2^32 points in the unit square.
 //
 //   x, y, z     word as a signed number times 2^-32, rounded to float, from the middle of the cell:
 //               in [-1/2, 1/2], steps of 2^-25 or finer

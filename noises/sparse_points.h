@@ -77,7 +77,7 @@ static void sort_points(point_block *block) {
 // LANES points of similar places. Index 0..4 of an axis stands for the mirrored offsets -2..2.
 typedef struct point_group {
     lane_keys key[3][5];
-    float corner[3][5][LANES]; // from the middle of the cell to the point, in 2^-32 cells
+    float corner[3][5][LANES];  // from the middle of the cell to the point, in 2^-32 cells
     float nearest_square[3][5]; // of the distances from the cells' interval to the points
 } point_group;
 
@@ -141,9 +141,10 @@ static inline float impulse_share(float square, float amplitude, const int outer
 
 // Adds the impulses of a cell. Three of them, the default, meet before they enter the sum, which
 // would otherwise be what everything waits for.
-static inline __attribute__((always_inline)) void
-add_impulses(const int impulses, float square[][LANES], float amplitude[][LANES], const int outer,
-             float sum[LANES]) {
+static inline __attribute__((always_inline)) void add_impulses(const int impulses,
+                                                               float square[][LANES],
+                                                               float amplitude[][LANES],
+                                                               const int outer, float sum[LANES]) {
     if (impulses == 3) {
 #pragma omp simd
         for (int l = 0; l < LANES; l++)
@@ -159,8 +160,10 @@ add_impulses(const int impulses, float square[][LANES], float amplitude[][LANES]
 }
 
 // `impulses` is source->impulses, as a constant where it is the default.
-static inline __attribute__((always_inline)) void
-sum_group(const sparse_source *source, const int impulses, const point_group *group, float sum[LANES]) {
+static inline __attribute__((always_inline)) void sum_group(const sparse_source *source,
+                                                            const int impulses,
+                                                            const point_group *group,
+                                                            float sum[LANES]) {
     float total[LANES] = {0};
     int at[3];
     for (at[0] = 0; at[0] < 5; at[0]++)

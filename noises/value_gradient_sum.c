@@ -121,12 +121,17 @@ static double density(const void *block, const double frequency[BL_AXES]) {
     return bl_terms_density(&terms, frequency);
 }
 
+static int has_closed_form(const void *block) {
+    const sum_parameters *p = block;
+    return p->lattice == BL_LATTICE_HASH;
+}
+
 static void describe(const void *block, bl_facts *facts) {
     const sum_parameters *p = block;
     bl_terms terms = terms_of(block);
     bl_kernel kernel = bl_value_kernels[p->interp], weight = bl_gradient_weights[p->fade];
     int value_class = bl_kernel_continuity(kernel), gradient_class = bl_kernel_continuity(weight);
-    bl_terms_describe(&terms, facts);
+    bl_terms_describe(&terms, has_closed_form(block), facts);
     facts->upper =
         fabs(p->value) * bl_bound_value(kernel).value +
         fabs(p->gradient) * bl_bound_gradient(weight, p->gradients == BL_GRADIENTS_EDGES).value;
@@ -137,30 +142,56 @@ static void describe(const void *block, bl_facts *facts) {
     facts->far = 0x1p52;
 }
 
-static int has_closed_form(const void *block) {
-    const sum_parameters *p = block;
-    return p->lattice == BL_LATTICE_HASH;
-}
-
 static const bl_parameter parameters[] = {
-    {.key = "seed", .kind = BL_SEED, .offset = offsetof(sum_parameters, seed), .fallback = "0",
-     .unit = "", .help = "chooses the values and the gradients"},
-    {.key = "value", .kind = BL_REAL, .offset = offsetof(sum_parameters, value), .minimum = -1000,
-     .maximum = 1000, .fallback = "1/2", .unit = "", .help = "weight of the value noise"},
-    {.key = "gradient", .kind = BL_REAL, .offset = offsetof(sum_parameters, gradient),
-     .minimum = -1000, .maximum = 1000, .fallback = "1", .unit = "",
+    {.key = "seed",
+     .kind = BL_SEED,
+     .offset = offsetof(sum_parameters, seed),
+     .fallback = "0",
+     .unit = "",
+     .help = "chooses the values and the gradients"},
+    {.key = "value",
+     .kind = BL_REAL,
+     .offset = offsetof(sum_parameters, value),
+     .minimum = -1000,
+     .maximum = 1000,
+     .fallback = "1/2",
+     .unit = "",
+     .help = "weight of the value noise"},
+    {.key = "gradient",
+     .kind = BL_REAL,
+     .offset = offsetof(sum_parameters, gradient),
+     .minimum = -1000,
+     .maximum = 1000,
+     .fallback = "1",
+     .unit = "",
      .help = "weight of the gradient noise"},
-    {.key = "interp", .kind = BL_CHOICE, .offset = offsetof(sum_parameters, interp),
-     .choices = bl_value_interps, .fallback = "catmull-rom", .unit = "",
+    {.key = "interp",
+     .kind = BL_CHOICE,
+     .offset = offsetof(sum_parameters, interp),
+     .choices = bl_value_interps,
+     .fallback = "catmull-rom",
+     .unit = "",
      .help = "the kernel of the value noise"},
-    {.key = "fade", .kind = BL_CHOICE, .offset = offsetof(sum_parameters, fade),
-     .choices = bl_gradient_fades, .fallback = "cubic", .unit = "",
+    {.key = "fade",
+     .kind = BL_CHOICE,
+     .offset = offsetof(sum_parameters, fade),
+     .choices = bl_gradient_fades,
+     .fallback = "cubic",
+     .unit = "",
      .help = "the blend of the gradient noise"},
-    {.key = "gradients", .kind = BL_CHOICE, .offset = offsetof(sum_parameters, gradients),
-     .choices = bl_gradient_modes, .fallback = "sphere", .unit = "",
+    {.key = "gradients",
+     .kind = BL_CHOICE,
+     .offset = offsetof(sum_parameters, gradients),
+     .choices = bl_gradient_modes,
+     .fallback = "sphere",
+     .unit = "",
      .help = "how gradients are drawn: uniform on the sphere, by rejection, or 12 edges"},
-    {.key = "lattice", .kind = BL_CHOICE, .offset = offsetof(sum_parameters, lattice),
-     .choices = bl_gradient_lattices, .fallback = "hash", .unit = "",
+    {.key = "lattice",
+     .kind = BL_CHOICE,
+     .offset = offsetof(sum_parameters, lattice),
+     .choices = bl_gradient_lattices,
+     .fallback = "hash",
+     .unit = "",
      .help = "64-bit hash, or the text's permutation of 256"},
     {.key = NULL}};
 

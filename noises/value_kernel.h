@@ -251,8 +251,10 @@ static inline void bl_value_row_planes(const bl_row_block *restrict block,
 
 // One coefficient of the cubics of a row's cells, from the values of their planes. Not inlined:
 // inlined in a loop, clang 14 does not see that the two arrays are apart.
-static __attribute__((noinline)) void bl_value_row_coefficient(
-    size_t cells, const float weight[BL_KNOTS], const float *restrict plane, float *restrict out) {
+static __attribute__((noinline)) void bl_value_row_coefficient(size_t cells,
+                                                               const float weight[BL_KNOTS],
+                                                               const float *restrict plane,
+                                                               float *restrict out) {
     const float w0 = weight[0], w1 = weight[1], w2 = weight[2], w3 = weight[3];
 #pragma omp simd
     for (size_t m = 0; m < cells; m++)
@@ -271,9 +273,8 @@ static inline int bl_value_row_prepare(bl_value_row_plan *plan, const bl_value_n
         return 0;
     for (int b = 0; b < 2; b++)
         for (int knot = 0; knot < shape->knots; knot++)
-            plan->weight[b][knot] =
-                (float)(bl_value_weight(shape, knot, plan->cross.fraction[b]) *
-                        (b == 1 ? BL_LATTICE_UNIT : 1));
+            plan->weight[b][knot] = (float)(bl_value_weight(shape, knot, plan->cross.fraction[b]) *
+                                            (b == 1 ? BL_LATTICE_UNIT : 1));
     return 1;
 }
 

@@ -74,23 +74,23 @@ static double density(const void *block, const double frequency[BL_AXES]) {
     return bl_terms_density(&terms, frequency);
 }
 
+static int has_closed_form(const void *block) {
+    const value_parameters *p = block;
+    return p->lattice == BL_LATTICE_HASH;
+}
+
 static void describe(const void *block, bl_facts *facts) {
     const value_parameters *p = block;
     bl_terms terms = terms_of(block);
     bl_kernel kernel = bl_value_kernels[p->interp];
     bl_bound bound = bl_bound_value(kernel);
-    bl_terms_describe(&terms, facts);
+    bl_terms_describe(&terms, has_closed_form(block), facts);
     facts->lower = -bound.value;
     facts->upper = bound.value;
     facts->bound_proof = bound.proof;
     facts->continuity = bl_kernel_continuity(kernel);
     facts->period = p->lattice == BL_LATTICE_PERM256 ? 256 : 0;
     facts->far = 0x1p52;
-}
-
-static int has_closed_form(const void *block) {
-    const value_parameters *p = block;
-    return p->lattice == BL_LATTICE_HASH;
 }
 
 // The text's spline through n knots, with all its generality.
@@ -118,8 +118,7 @@ static float textbook(float x, float y, float z) {
     for (int k = -1; k <= 2; k++) {
         for (int j = -1; j <= 2; j++) {
             for (int i = -1; i <= 2; i++)
-                xknots[i + 1] =
-                    bl_textbook_data.values[bl_textbook_index(ix + i, iy + j, iz + k)];
+                xknots[i + 1] = bl_textbook_data.values[bl_textbook_index(ix + i, iy + j, iz + k)];
             yknots[j + 1] = textbook_spline(fx, 4, xknots);
         }
         zknots[k + 1] = textbook_spline(fy, 4, yknots);
@@ -127,16 +126,27 @@ static float textbook(float x, float y, float z) {
     return textbook_spline(fz, 4, zknots);
 }
 
-static const bl_parameter parameters[] = {
-    {.key = "seed", .kind = BL_SEED, .offset = offsetof(value_parameters, seed), .fallback = "0",
-     .unit = "", .help = "chooses the lattice numbers"},
-    {.key = "interp", .kind = BL_CHOICE, .offset = offsetof(value_parameters, interp),
-     .choices = bl_value_interps, .fallback = "catmull-rom", .unit = "",
-     .help = "the kernel between the lattice points"},
-    {.key = "lattice", .kind = BL_CHOICE, .offset = offsetof(value_parameters, lattice),
-     .choices = bl_lattice_kinds, .fallback = "hash", .unit = "",
-     .help = "64-bit hash, or the text's permutation of 256"},
-    {.key = NULL}};
+static const bl_parameter parameters[] = {{.key = "seed",
+                                           .kind = BL_SEED,
+                                           .offset = offsetof(value_parameters, seed),
+                                           .fallback = "0",
+                                           .unit = "",
+                                           .help = "chooses the lattice numbers"},
+                                          {.key = "interp",
+                                           .kind = BL_CHOICE,
+                                           .offset = offsetof(value_parameters, interp),
+                                           .choices = bl_value_interps,
+                                           .fallback = "catmull-rom",
+                                           .unit = "",
+                                           .help = "the kernel between the lattice points"},
+                                          {.key = "lattice",
+                                           .kind = BL_CHOICE,
+                                           .offset = offsetof(value_parameters, lattice),
+                                           .choices = bl_lattice_kinds,
+                                           .fallback = "hash",
+                                           .unit = "",
+                                           .help = "64-bit hash, or the text's permutation of 256"},
+                                          {.key = NULL}};
 
 BL_NOISE_DESCRIPTOR(value_noise) = {
     .name = "vnoise",

@@ -93,9 +93,10 @@ double bl_theory_line(const bl_signal *signal, const double direction[BL_AXES], 
     double from, to, reach = signal->facts.covariance_reach;
     clip(origin, direction, reach, &from, &to);
     add_crossings(&breaks, origin, direction, reach);
-    // Even in t.
-    return 2 * bl_integrate(line_integrand, &line, 0, to, &breaks, longest_panel(f),
-                            1e-15 * variance_of(signal));
+    // Even in t. Never negative but for rounding.
+    double half = bl_integrate(line_integrand, &line, 0, to, &breaks, longest_panel(f),
+                               1e-15 * variance_of(signal));
+    return fmax(0, 2 * half);
 }
 
 static double inner_integrand(const void *context, double t) {
@@ -131,8 +132,9 @@ double bl_theory_slice(const bl_signal *signal, const double u[BL_AXES], const d
     for (double n = 1; n < far; n++)
         bl_breaks_add(&breaks, n);
     // R(-lag) = R(lag): the half plane s > 0, twice.
-    return 2 * bl_integrate(outer_integrand, &plane, 0, far, &breaks, longest_panel(fu),
-                            1e-10 * variance_of(signal));
+    double half = bl_integrate(outer_integrand, &plane, 0, far, &breaks, longest_panel(fu),
+                               1e-10 * variance_of(signal));
+    return fmax(0, 2 * half);
 }
 
 double bl_theory_volume(const bl_signal *signal, const double f[BL_AXES]) {

@@ -14,9 +14,12 @@
 #include "noises/sparse_impulses.h"
 #include "noises/textbook.h"
 
-static const char *const names[] = {"vcnoise", "scnoise", "scnoise:impulses=1",
+static const char *const names[] = {"vcnoise",
+                                    "scnoise",
+                                    "scnoise:impulses=1",
                                     "scnoise:impulses=64,seed=18446744073709551615",
-                                    "vcnoise:lattice=perm256", "scnoise:lattice=perm256"};
+                                    "vcnoise:lattice=perm256",
+                                    "scnoise:lattice=perm256"};
 enum { NAMES = sizeof names / sizeof *names };
 
 static bl_signal *open_isa(const char *text, bl_isa isa) {
@@ -82,7 +85,8 @@ static void test_a_fine_table_is_the_exact_kernel(void **state) {
     (void)state;
     for (int n = 0; n < 2; n++) {
         bl_signal *exact = open(n ? "scnoise" : "vcnoise");
-        bl_signal *table = open(n ? "scnoise:kernel=table:1000000" : "vcnoise:kernel=table:1000000");
+        bl_signal *table =
+            open(n ? "scnoise:kernel=table:1000000" : "vcnoise:kernel=table:1000000");
         bl_signal *coarse = open(n ? "scnoise:kernel=table:100" : "vcnoise:kernel=table:100");
         bl_random random = bl_random_seed(2, 0);
         double coarse_error = 0;
@@ -227,7 +231,8 @@ static void test_the_gradient_is_the_slope_of_the_value(void **state) {
                 at[a] = 40 * bl_random_unit(&random) - 20;
             signal->functions->gradient(signal->parameters, at, slope);
             for (int a = 0; a < 3; a++) {
-                double before[BL_AXES] = {at[0], at[1], at[2]}, after[BL_AXES] = {at[0], at[1], at[2]};
+                double before[BL_AXES] = {at[0], at[1], at[2]},
+                       after[BL_AXES] = {at[0], at[1], at[2]};
                 before[a] -= h;
                 after[a] += h;
                 double expected = bl_signal_value(signal, after) - bl_signal_value(signal, before);
@@ -242,7 +247,8 @@ static void test_the_text_tables_have_period_256(void **state) {
     (void)state;
     for (int n = 4; n < 6; n++) {
         bl_signal *signal = open(names[n]);
-        double at[BL_AXES] = {3.25, -7.5, 11.125, 0}, moved[BL_AXES] = {259.25, -263.5, 1035.125, 0};
+        double at[BL_AXES] = {3.25, -7.5, 11.125, 0},
+               moved[BL_AXES] = {259.25, -263.5, 1035.125, 0};
         assert_near(bl_signal_value(signal, at), bl_signal_value(signal, moved), 0);
         assert_true(signal->facts.period == 256);
         bl_signal_free(signal);
@@ -258,7 +264,8 @@ static double row_error(const bl_signal *signal, const double start[BL_AXES],
     double worst = 0;
     bl_signal_row(signal, start, step, count, out);
     size_t stride = count / 60 + 1;
-    for (size_t i = 0; i < count; i += i + stride < count || i + 1 == count ? stride : count - 1 - i) {
+    for (size_t i = 0; i < count;
+         i += i + stride < count || i + 1 == count ? stride : count - 1 - i) {
         double at[BL_AXES];
         for (int a = 0; a < BL_AXES; a++)
             at[a] = start[a] + (double)i * step[a];
