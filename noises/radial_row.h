@@ -7,11 +7,12 @@
 // along the line from the foot of an impulse sees K(sqrt(t^2 + h^2)). Two ways to add these up:
 //
 //   splat    for each impulse, over the samples of its chord in blocks of 16: pays where a chord
-//            holds several samples. An impulse with h >= 1 needs the outer branch of K alone. Every
-//            third block takes its root by multiplications, so that the divider and the multipliers
-//            work at the same time.
-//   gather   for each sample, over the impulses of the five slabs around it, 16 at a time; partial
-//            sums stay in 16 lanes that are added in a fixed order. Pays with few samples a cell.
+//            holds several samples. An impulse with h >= 1 needs the outer branch of K alone, which
+//            is flat enough to take every third root by multiplications, less exactly, so that the
+//            divider and the multipliers work at the same time.
+//   gather   for each two samples, over the impulses of the slabs within two of them, 16 at a time;
+//            partial sums stay in 16 lanes that are added in a fixed order. Pays with few samples a
+//            cell.
 //
 // A slab is the layer of lattice cells between two planes across the line. The caller fills a
 // slab's impulses. All positions are relative to a nearby slab, so that floats lose nothing far
@@ -129,13 +130,13 @@ static inline __attribute__((always_inline)) void
 splat_chord(const float *ramp, float *sum, splat_impulse one, int blocks, const int outer) {
     for (; blocks >= 3; blocks -= 3, ramp += 3 * LANES, sum += 3 * LANES) {
         splat_block(ramp, sum, one, outer, 0);
-        splat_block(ramp + LANES, sum + LANES, one, outer, 1);
+        splat_block(ramp + LANES, sum + LANES, one, outer, outer);
         splat_block(ramp + 2 * LANES, sum + 2 * LANES, one, outer, 0);
     }
     if (blocks >= 1)
         splat_block(ramp, sum, one, outer, 0);
     if (blocks >= 2)
-        splat_block(ramp + LANES, sum + LANES, one, outer, 1);
+        splat_block(ramp + LANES, sum + LANES, one, outer, outer);
 }
 
 // Splats the impulses order[0..count).

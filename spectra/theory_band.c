@@ -14,7 +14,7 @@
 // M does not depend on b. It is taken at 16 Gauss-Legendre nodes on panels of half a unit, shorter
 // towards 0 for signals with finer parts, and interpolated between the nodes by the polynomial
 // through them, which is the one the quadrature itself assumes. A circle is broken where a
-// component of the lag is a whole number. The share is good to 1e-9 for the lattice noises
+// component of the lag is a whole number. The share is good to 1e-8 for the lattice noises
 // (t-theory compares it with sums over the density).
 #include "spectra/theory.h"
 

@@ -259,7 +259,7 @@ static void test_broken_images_are_refused(void **state) {
     const char *good = bl_test_path("good.exr"), *empty = bl_test_path("empty.exr"),
                *cut = bl_test_path("cut.exr"), *garbage = bl_test_path("garbage.png"),
                *missing = bl_test_path("missing.exr");
-    bl_ran ran = bl_run_program("render", "gnoise", "--width", "64", "-o", good);
+    bl_ran ran = bl_run_program("render", "gnoise", "--width", "31", "-o", good);
     assert_int_equal(ran.status, 0);
     bl_ran_free(&ran);
     struct stat info;
@@ -281,7 +281,8 @@ static void test_broken_images_are_refused(void **state) {
         };
         EXPECT_ALL(list);
     }
-    for (size_t cut_at = 0; cut_at < (size_t)info.st_size; cut_at += 41) {
+    size_t step = (size_t)info.st_size / bl_test_scaled(12, 3); // a run is 0.1 s
+    for (size_t cut_at = 1; cut_at < (size_t)info.st_size; cut_at += step) {
         bl_test_write(cut, bytes, cut_at);
         const bad_input bad = {4, "cut.exr", {"eval", cut, "0", "0"}};
         expect(NULL, &bad);
@@ -314,7 +315,7 @@ static void test_an_image_of_many_parts_needs_one_chosen(void **state) {
 // Sizes that are odd, prime or too small for a spectrum either work or are refused in words.
 static void test_images_of_awkward_sizes(void **state) {
     (void)state;
-    static const char *const sizes[] = {"1", "2", "3", "7", "8", "9", "13", "31", "101"};
+    static const char *const sizes[] = {"1", "3", "8", "13", "101"};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         const char *path = bl_test_path("awkward.exr");
         bl_ran ran = bl_run_program("render", "gnoise", "--width", sizes[i], "--height",

@@ -153,48 +153,62 @@ static void measure_contrast(const bl_run *run, const bl_signal *signal, int on_
     }
 }
 
-static bl_status claim_contrast(bl_run *run, const bl_six *six, double *contrast_value,
-                                bl_message *message) {
-    size_t repeats = (size_t)bl_run_pick(run, 16, 32, 64);
-    size_t cells = (size_t)bl_run_pick(run, 32, 500, 20000);
-    bl_run_setting(run, "lattice contrast",
-                   bl_run_text(run, "%d x %d places in the cell, %zu pairs of %zu random cells",
-                               PHASES, PHASES, repeats, cells));
-    double *all = malloc(sizeof *all * repeats * (BL_SIX + 1));
-    if (!all)
-        return bl_report(message, BL_DEVICE, "out of memory");
-    double *difference = all + BL_SIX * repeats;
-    for (int on_plane = 0; on_plane < 2; on_plane++) {
-        const char *where = on_plane ? "slice on a lattice plane" : "slice at random places";
-        bl_run_step(run, "lattice contrast");
-        for (int i = 0; i < BL_SIX; i++) {
-            measure_contrast(run, six->signal[i], on_plane, cells, repeats,
-                             all + (size_t)i * repeats);
-            contrast_value[2 * i + on_plane] =
-                bl_mean_estimate(all + (size_t)i * repeats, repeats, 0.95).value;
-        }
-        for (size_t r = 0; r < repeats; r++)
-            difference[r] = all[BL_VGNOISE * repeats + r] - all[BL_GNOISE * repeats + r];
+// The contrasts of all noises between the planes and on them, `repeats` each.
+typedef struct contrasts {
+    size_t repeats;
+    double *values[2][BL_SIX], *difference;
+} contrasts;
+
+static const char *const slice_words[] = {"slice at random places", "slice on a lattice plane"};
+
+static bl_estimate contrast_difference(const contrasts *c, int on_plane, int one, int other) {
+    for (size_t r = 0; r < c->repeats; r++)
+        c->difference[r] = c->values[on_plane][one][r] - c->values[on_plane][other][r];
+    return bl_mean_estimate(c->difference, c->repeats, 0.95);
+}
+
+static void claim_contrasts(bl_run *run, const contrasts *c) {
+    for (int p = 0; p < 2; p++)
         bl_six_claim(run, "peachey2003, Value-Gradient Noise",
                      "Value-gradient noise looks less regular than gradient noise: its lattice "
                      "contrast less that of gnoise.",
-                     bl_run_text(run, "vgnoise, %s", where), "", -unlimited, 0,
-                     bl_mean_estimate(difference, repeats, 0.95));
-        for (int i = 0; i < BL_SCNOISE; i++) {
-            for (size_t r = 0; r < repeats; r++)
-                difference[r] = all[(size_t)i * repeats + r] - all[BL_SCNOISE * repeats + r];
+                     bl_run_text(run, "vgnoise, %s", slice_words[p]), "", -unlimited, 0,
+                     contrast_difference(c, p, BL_VGNOISE, BL_GNOISE));
+    for (int p = 0; p < 2; p++)
+        for (int i = 0; i < BL_SCNOISE; i++)
             bl_six_claim(run, text_gridless,
                          "Sparse convolution noise shows fewer gridlike patterns than the others: "
                          "the other's lattice contrast less that of scnoise.",
-                         bl_run_text(run, "against %s, %s", bl_six_names[i], where), "", 0,
-                         unlimited, bl_mean_estimate(difference, repeats, 0.95));
+                         bl_run_text(run, "against %s, %s", bl_six_names[i], slice_words[p]), "", 0,
+                         unlimited, contrast_difference(c, p, i, BL_SCNOISE));
+    for (int p = 0; p < 2; p++)
+        bl_six_claim(run, "bandlimit",
+                     "Impulses at uniform places make scnoise stationary: its lattice contrast "
+                     "is 0.",
+                     bl_run_text(run, "scnoise, %s", slice_words[p]), "", -0.05, 0.05,
+                     bl_mean_estimate(c->values[p][BL_SCNOISE], c->repeats, 0.95));
+}
+
+static bl_status claim_contrast(bl_run *run, const bl_six *six, double between[BL_SIX],
+                                double on_plane[BL_SIX], bl_message *message) {
+    contrasts c = {.repeats = (size_t)bl_run_pick(run, 16, 32, 64)};
+    size_t cells = (size_t)bl_run_pick(run, 32, 500, 20000);
+    bl_run_setting(run, "lattice contrast",
+                   bl_run_text(run, "%d x %d places in the cell, %zu pairs of %zu random cells",
+                               PHASES, PHASES, c.repeats, cells));
+    double *all = malloc(sizeof *all * c.repeats * (2 * BL_SIX + 1));
+    if (!all)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    c.difference = all + 2 * BL_SIX * c.repeats;
+    for (int p = 0; p < 2; p++) {
+        bl_run_step(run, bl_run_text(run, "lattice contrast, %s", slice_words[p]));
+        for (int i = 0; i < BL_SIX; i++) {
+            double *values = c.values[p][i] = all + (size_t)(p * BL_SIX + i) * c.repeats;
+            measure_contrast(run, six->signal[i], p, cells, c.repeats, values);
+            (p ? on_plane : between)[i] = bl_mean_estimate(values, c.repeats, 0.95).value;
         }
-        bl_six_claim(
-            run, "bandlimit",
-            "Impulses at uniform places make scnoise stationary: its lattice contrast is 0.",
-            bl_run_text(run, "scnoise, %s", where), "", -0.05, 0.05,
-            bl_mean_estimate(all + BL_SCNOISE * repeats, repeats, 0.95));
     }
+    claim_contrasts(run, &c);
     free(all);
     return BL_OK;
 }
@@ -260,19 +274,15 @@ static bl_status claim_anisotropy(bl_run *run, const bl_six *six, double *mean,
 
 static bl_status run_figure(bl_run *run, bl_message *message) {
     bl_six six;
-    double contrast[2 * BL_SIX], between[BL_SIX], on_plane[BL_SIX], anisotropy[BL_SIX];
+    double between[BL_SIX], on_plane[BL_SIX], anisotropy[BL_SIX];
     bl_status status = bl_six_open(run, &six, message);
     if (status != BL_OK)
         return status;
     status = make_slices(run, &six, message);
     if (status == BL_OK)
-        status = claim_contrast(run, &six, contrast, message);
+        status = claim_contrast(run, &six, between, on_plane, message);
     if (status == BL_OK)
         status = claim_anisotropy(run, &six, anisotropy, message);
-    for (int i = 0; i < BL_SIX && status == BL_OK; i++) {
-        between[i] = contrast[2 * i];
-        on_plane[i] = contrast[2 * i + 1];
-    }
     const bl_column columns[] = {{.name = "noise", .words = bl_six_names},
                                  {.name = "lattice_contrast_random_place", .values = between},
                                  {.name = "lattice_contrast_lattice_plane", .values = on_plane},

@@ -92,8 +92,8 @@ static bl_status plot_lines(bl_run *run, const bl_six_spectra *spectra, bl_messa
             (bl_series){BL_STROKE_THIN, BL_INK_MEASURED, file, x, bl_run_text(run, "%s_db", name),
                         NULL,           "measured"};
         series[i][2] = (bl_series){
-            BL_STROKE_THIN, BL_INK_THEORY, file, x, bl_run_text(run, "%s_theory_db", name),
-            NULL,           "closed form"};
+            BL_STROKE_DASHED, BL_INK_THEORY, file, x, bl_run_text(run, "%s_theory_db", name), NULL,
+            "closed form"};
         panels[i] = (bl_panel){name, series[i], theory ? 3 : 2, NULL};
     }
     const bl_plot plot =
