@@ -135,7 +135,8 @@ static const double BAND_OPACITY = 0.28;
 static void put_line_style(FILE *out, const bl_series *series) {
     const char *width = series->stroke == BL_STROKE_LINE ? "2.2" : "1.4";
     fprintf(out, "%slinewidth %s linecolor rgb '%s'",
-            series->stroke == BL_STROKE_DASHED ? "dashtype (14,14) " : "", width, inks[series->ink]);
+            series->stroke == BL_STROKE_DASHED ? "dashtype (14,14) " : "", width,
+            inks[series->ink]);
 }
 
 static void put_column(FILE *out, const char *name) {

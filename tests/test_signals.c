@@ -16,9 +16,11 @@ typedef struct block {
 
 // --- values ---
 
+// Box and Muller: many times faster than by inversion, and as normal.
 static double normal_of(uint64_t key) {
     bl_random random = {.key = bl_mix(key), .counter = 0};
-    return bl_random_normal(&random);
+    double radius = sqrt(-2 * log(1 - bl_random_unit(&random)));
+    return radius * cos(2 * M_PI * bl_random_unit(&random));
 }
 
 static double white(const block *b, const double at[BL_AXES]) {

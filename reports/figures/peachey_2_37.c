@@ -98,11 +98,12 @@ static bl_status plot_lines(bl_run *run, const bl_six_spectra *spectra, bl_messa
     }
     const bl_plot plot =
         plot_of("Where in frequency does the power of the six noises lie?", panels, &band_end);
-    return bl_run_plot(run, "spectra-line", &plot,
-                       "Six power spectra along a line at a random place. The closed forms lie "
-                       "within the 95 % bands of the measurements; all fall steeply towards "
-                       "frequency 1, with side lobes beyond.",
-                       message);
+    return bl_run_plot(
+        run, "spectra-line", &plot,
+        "Six power spectra along a line at a random place, each with its 95 % band and the "
+        "closed form, dashed, as the window sees it. All fall steeply towards "
+        "frequency 1 and go on in side lobes beyond.",
+        message);
 }
 
 static bl_status plot_readings(bl_run *run, bl_message *message) {
