@@ -143,9 +143,9 @@ bl_status bl_bench_noise(bl_bench *bench, const char *text, bl_isa isa) {
     // The textbook's loop has the default settings, so it is no yardstick for others.
     const bl_noise *noise = bl_noise_find(signal->name, isa);
     float (*textbook)(float, float, float) =
-        strcmp(signal->text, signal->name) == 0 ? noise->textbook : NULL;
+        strcmp(text, noise->name) == 0 ? noise->textbook : NULL;
     bl_bench_row row = {.isa = bl_isa_name(isa), .floor = NAN};
-    snprintf(row.signal, sizeof row.signal, "%s", signal->text);
+    snprintf(row.signal, sizeof row.signal, "%s", text);
     bl_textbook_tables();
     if (!time_along_axes(bench, &places, signal, textbook, row) ||
         !time_scattered(bench, &places, signal, textbook, row))

@@ -66,8 +66,8 @@ static void print_bars(FILE *out, const bl_histogram *h) {
             if (pass == 0)
                 continue;
             int length = (int)((double)sum / (double)most * WIDTH + 0.5);
-            fprintf(out, "%10.4g : %-10.4g %9.5f  %.*s\n", h->edges[i], h->edges[end],
-                    (double)sum / (double)h->count, length,
+            fprintf(out, "%10.4g : %-10.4g %9.5f%s%.*s\n", h->edges[i], h->edges[end],
+                    (double)sum / (double)h->count, length ? "  " : "", length,
                     "##################################################");
         }
 }

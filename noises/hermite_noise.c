@@ -15,9 +15,9 @@
 // on a face both sides blend the same corners, and so do their slopes across it. Bound:
 // noises/bounds.c. Band, mean, variance: exact, noises/closed_forms.h.
 //
-// Source: peachey2003, p. 77, after Ward (1991). Deviations: Ward's own recursion is replaced by
-// the tensor form above, which is the same interpolant with the twists of the corners set to 0;
-// tangents are uniform in a cube, as Ward's are, not on a sphere.
+// Source: peachey2003, p. 77, which names Ward (1991) and prints no code. Deviations: Ward's
+// program was not at hand; this is the tensor form of cubic Hermite interpolation with the mixed
+// derivatives at the corners 0, and tangents uniform in a cube.
 #include <stddef.h>
 
 #include "noises/closed_forms.h"

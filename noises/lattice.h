@@ -40,7 +40,7 @@
 //   sphere     uniform on the unit sphere: height z = word * 2^-31 as a signed number, radius
 //              sqrt(1 - z^2), longitude from 13 bits within a quadrant and two signs. Sine and
 //              cosine of pi/4 + a are E -+ O of an even and an odd polynomial, fitted so that
-//              E^2 + O^2 is constant to 7e-7: of unit length to 4e-7. The density of the
+//              E^2 + O^2 is constant to 7e-7: of unit length to 5e-7. The density of the
 //              longitude is uniform to 9e-4, with the symmetry of the square, so that the mean is
 //              0 (z: -2^-32) and the second moments are I/3.
 //   rejection  Perlin's scheme: uniform in the cube, discarded outside of the unit sphere,
@@ -59,7 +59,7 @@
 #include "core/hash.h"
 #include "noises/textbook.h"
 
-// Odd multipliers: 2^32 times the golden ratio's fraction, and the second one of MurmurHash3's
+// Odd multipliers: 2^32 times the golden ratio's fraction, and the first one of MurmurHash3's
 // finaliser (Appleby 2011), found there by search for avalanche.
 #define BL_LATTICE_M1 0x9E3779B1u
 #define BL_LATTICE_M2 0x85EBCA6Bu

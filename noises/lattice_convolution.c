@@ -14,7 +14,7 @@
 //   kernel    exact; table:R: the text's table, R entries a unit of squared distance, nearest entry
 //             (1 to 1000000, 100 in the text); evaluated in double, without the fast paths
 //
-// Range: |n| is below the sum of |K| over the lattice points, 2.283 at most (closed_forms.h).
+// Range: |n| is below the sum of |K| over the lattice points, 2.29 at most (bounds.c).
 // Band: the same kernel, hence the same mean spectrum, as scnoise.
 // Known defects: the kernel is no interpolant in space, K(sqrt 2) is not 0 and K does not sum to 1
 // over the lattice, so the variance depends on the place in the cell: the noise is cyclostationary,

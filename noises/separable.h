@@ -30,7 +30,7 @@
 
 enum {
     BL_LANES = 16,  // floats in the widest vector; loops run on multiples of it
-    BL_BLOCK = 192, // points in a block
+    BL_BLOCK = 128, // points in a block
     BL_KNOTS = 4,   // the most lattice planes an axis needs for one point
     BL_ROW = 512,   // samples of a row in a block
     BL_CELLS = 1024 // the most cells in a block of a row

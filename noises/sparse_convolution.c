@@ -17,7 +17,7 @@
 //
 // Range: bounded by the number of impulses in reach (closed_forms.h); not [-1, 1].
 // Band: that of the kernel's transform: low pass, most of it below 1 cycle a cell, and a tail that
-// falls as f^-3 in amplitude as for every C1 radial kernel in space; DC is not 0.
+// falls as f^-4 in amplitude as for every C1 radial kernel in space; DC is not 0.
 // Known defects: the number of impulses in a cell is fixed, which is not Poisson, though the
 // spectrum is the same since amplitudes are independent with mean 0. With kernel=table the noise is
 // discontinuous.

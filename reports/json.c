@@ -17,6 +17,15 @@ static json_t *number(double value) {
     return isfinite(value) ? json_real(value) : json_null();
 }
 
+// JSON integers end at 2^63 - 1 here: a larger seed is written as text.
+static json_t *seed_json(uint64_t seed) {
+    char text[24];
+    if (seed <= INT64_MAX)
+        return json_integer((json_int_t)seed);
+    snprintf(text, sizeof text, "%llu", (unsigned long long)seed);
+    return json_string(text);
+}
+
 static json_t *claim_json(const bl_claim *claim) {
     const bl_estimate *m = &claim->measured;
     return json_pack("{s:s, s:s, s:s, s:s, s:[o,o], s:o, s:[o,o], s:o, s:o, s:s}", "claim",
@@ -50,12 +59,12 @@ static json_t *figure_json(const bl_run_view *view, const bl_reproduce_settings 
         json_array_append_new(claims, claim_json(&result->claims[i]));
     for (size_t i = 0; i < result->file_count; i++)
         json_array_append_new(files, json_string(result->files[i]));
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:I, s:o, s:o, s:o, s:o}",
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o}",
                      "schema", "bandlimit.figure/1", "version", BL_VERSION, "arguments",
                      settings->arguments ? settings->arguments : "", "figure", figure->name,
                      "title", figure->title, "question", figure->question, "paper", figure->paper,
                      "shows", figure->shows, "size", bl_size_word(settings->size), "seed",
-                     (json_int_t)settings->seed, "settings", settings_json(view), "verdicts",
+                     seed_json(settings->seed), "settings", settings_json(view), "verdicts",
                      verdicts_json(result), "claims", claims, "files", files);
 }
 

@@ -19,10 +19,10 @@ typedef struct correlation {
     bl_sampler sampler;
     size_t size, averages, count;
     const bl_fft *forward, *back;
-    float *samples;     // [averages][size]
-    double *products;   // [count][averages]
-    double *work;       // [workers][pitch]
-    bl_status *statuses;// [averages]
+    float *samples;      // [averages][size]
+    double *products;    // [count][averages]
+    double *work;        // [workers][pitch]
+    bl_status *statuses; // [averages]
     size_t pitch;
     int workers;
 } correlation;
@@ -43,10 +43,9 @@ static bl_status open_correlation(correlation *c, double reach, bl_message *mess
     int threads = bl_threads(c->sampler.settings.threads);
     c->workers = c->averages < (size_t)threads ? (int)c->averages : threads;
     double averages = (double)c->averages, size = (double)c->size;
-    bl_status status =
-        bl_memory_check(averages * (4 * size + 8 * (double)c->count + 4) +
-                            40 * size * (double)c->workers,
-                        "this autocorrelation", message);
+    bl_status status = bl_memory_check(averages * (4 * size + 8 * (double)c->count + 4) +
+                                           40 * size * (double)c->workers,
+                                       "this autocorrelation", message);
     if (status != BL_OK)
         return status;
     bl_fft_shape shape = {BL_FFT_REAL, BL_FFT_DOUBLE, 1, {2 * c->size}, 0, 0};
@@ -98,8 +97,7 @@ static void correlate_line(const correlation *c, size_t k, double mean, double *
     }
     bl_fft_run(c->back, work);
     for (size_t m = 0; m < c->count; m++)
-        c->products[m * c->averages + k] =
-            work[m] / (2 * (double)c->size) / (double)(c->size - m);
+        c->products[m * c->averages + k] = work[m] / (2 * (double)c->size) / (double)(c->size - m);
 }
 
 static bl_status fill_result(const correlation *c, bl_autocorrelation *a, bl_message *message) {

@@ -23,10 +23,10 @@
 enum { BL_FFT_ALIGNMENT = 64 }; // bytes: a cache line
 
 typedef enum bl_fft_kind {
-    BL_FFT_REAL,   // real to complex
-    BL_FFT_BACK,   // complex to real; n times the original comes back
-    BL_FFT_COLUMNS,// complex, float, 1-D: `columns` interleaved columns, [size][columns]
-    BL_FFT_ROW     // real to complex, float, 1-D, from one buffer to another: bl_fft_run_row
+    BL_FFT_REAL,    // real to complex
+    BL_FFT_BACK,    // complex to real; n times the original comes back
+    BL_FFT_COLUMNS, // complex, float, 1-D: `columns` interleaved columns, [size][columns]
+    BL_FFT_ROW      // real to complex, float, 1-D, from one buffer to another: bl_fft_run_row
 } bl_fft_kind;
 
 typedef enum bl_fft_precision { BL_FFT_FLOAT, BL_FFT_DOUBLE } bl_fft_precision;

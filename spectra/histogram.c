@@ -6,8 +6,8 @@
 // where the signal has one; on a grid, all samples in 8 x 8 blocks (fewer where it is small). The
 // blocks are the replicates behind every interval, because values of one seed, and neighbours on a
 // grid, are not independent: mean and variance by their spread over blocks, quantiles by the ranks
-// n p -+ z sqrt(n p (1-p) n/n_e), where n_e is the number of independent samples that would give the
-// spread over blocks of the share below the quantile, at most n.
+// n p -+ z sqrt(n p (1-p) n/n_e), where n_e is the number of independent samples that would give
+// the spread over blocks of the share below the quantile, at most n.
 //
 // Blocks are filled in parallel into their own place and merged in their order: the result does not
 // depend on the threads.
@@ -26,7 +26,8 @@ enum { BLOCK = 4096, GRID_BLOCKS = 8 };
 static const double REACH = 0x1p20;
 
 bl_histogram_settings bl_histogram_default_settings(void) {
-    return (bl_histogram_settings){.samples = (size_t)1 << 20, .bins = 64, .seed = 1, .level = 0.95};
+    return (bl_histogram_settings){
+        .samples = (size_t)1 << 20, .bins = 64, .seed = 1, .level = 0.95};
 }
 
 // --- blocks ---
@@ -37,7 +38,8 @@ static size_t grid_size(const bl_sampling *s, unsigned axis) {
 }
 
 // The part of an axis that a block covers.
-static void block_range(const bl_sampling *s, size_t block, size_t from[BL_AXES], size_t to[BL_AXES]) {
+static void block_range(const bl_sampling *s, size_t block, size_t from[BL_AXES],
+                        size_t to[BL_AXES]) {
     for (unsigned a = 0; a < BL_AXES; a++) {
         size_t index = block % s->grid_blocks[a], size = grid_size(s, a);
         block /= s->grid_blocks[a];
@@ -58,7 +60,8 @@ static void grid_point(const bl_sampling *s, size_t block, size_t index, double 
     }
 }
 
-static void random_points(const bl_sampling *s, size_t block, size_t count, double *const at[BL_AXES]) {
+static void random_points(const bl_sampling *s, size_t block, size_t count,
+                          double *const at[BL_AXES]) {
     bl_random random = bl_random_seed(s->settings.seed, 2 * (uint64_t)block);
     for (size_t i = 0; i < count; i++)
         for (unsigned a = 0; a < BL_AXES; a++)
@@ -193,7 +196,8 @@ static bl_status check_settings(const bl_signal *signal, bl_histogram_settings *
                          "a histogram of '%s' from %g to %g: the range must be finite and grow",
                          signal->text, settings->from, settings->to);
     if (settings->threads < 0)
-        return bl_report(message, BL_USAGE, "%d threads cannot be had; give 1 or more, or 0 for all",
+        return bl_report(message, BL_USAGE,
+                         "%d threads cannot be had; give 1 or more, or 0 for all",
                          settings->threads);
     return bl_memory_check(16.0 * (double)settings->bins, "these bins", message);
 }

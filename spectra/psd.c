@@ -21,6 +21,9 @@
 // Samples stay in memory between the passes where they take no more bytes than this.
 static const double KEEP_BYTES = 0x1p28;
 
+// Fewer samples than this are done before a second thread wakes up.
+static const double LEAST_SHARED = 0x1p14;
+
 typedef struct measurement {
     bl_sampler sampler;
     bl_transform transform;
@@ -73,6 +76,8 @@ static bl_status plan_memory(measurement *m, bl_message *message) {
     bl_status status = bl_memory_check(shared + each, "this spectrum", message);
     if (status != BL_OK)
         return status;
+    if (averages * rows * size < LEAST_SHARED)
+        threads = 1;
     m->workers = averages < threads ? (int)averages : threads;
     if (settings->dims == 2 && m->workers < threads)
         m->workers = 1;
@@ -199,8 +204,10 @@ static bl_status second_pass(measurement *m, bl_psd *psd, bl_message *message) {
     }
     for (size_t k = 0; k < m->averages; k++)
         if (m->statuses[k] != BL_OK)
-            return bl_report(message, m->statuses[k], "out of memory transforming an average of "
-                             "%zu samples", m->samples);
+            return bl_report(message, m->statuses[k],
+                             "out of memory transforming an average of "
+                             "%zu samples",
+                             m->samples);
     psd->parseval_residual = worst;
     return bl_psd_check_parseval(psd, message);
 }
@@ -242,9 +249,9 @@ static bl_status fill_theory(const measurement *m, bl_psd *psd, bl_message *mess
     if (!half || !sums || !psd->theory || !psd->theory_corners)
         status = bl_report(message, BL_DEVICE, "out of memory for the closed form");
     if (status == BL_OK)
-        status = bl_theory_periodogram(sampler->signal, settings->dims, sampler->directions,
-                                       settings->rate, settings->size, settings->window, half,
-                                       message);
+        status =
+            bl_theory_periodogram(sampler->signal, settings->dims, sampler->directions,
+                                  settings->rate, settings->size, settings->window, half, message);
     if (status == BL_OK) {
         double cell = pow(psd->width[0], (double)settings->dims); // df^dims
         bl_bins_reduce(&m->bins, half, sums);

@@ -30,16 +30,16 @@ typedef enum bl_place {
 } bl_place;
 
 typedef struct bl_psd_settings {
-    unsigned dims;    // 1 line, 2 slice, 3 volume
-    double rate;      // samples per unit; 0: from the signal's grid, or 16, 8, 4 by dims
-    size_t size;      // samples along each axis; 0: from the grid, or 2048, 512, 64 by dims
-    size_t averages;  // 0: 256, 16, 8 by dims; of a grid: 256 lines at most, all tiles
+    unsigned dims;   // 1 line, 2 slice, 3 volume
+    double rate;     // samples per unit; 0: from the signal's grid, or 16, 8, 4 by dims
+    size_t size;     // samples along each axis; 0: from the grid, or 2048, 512, 64 by dims
+    size_t averages; // 0: 256, 16, 8 by dims; of a grid: 256 lines at most, all tiles
     bl_window window;
-    double axis[3];   // direction of the line; normal of the slice; unused for a volume
-    bl_place place;   // a grid has only its own place
-    uint64_t seed;    // of the places and the fresh seeds
-    double level;     // of the confidence intervals, e.g. 0.95
-    int threads;      // 0: as many as OpenMP gives
+    double axis[3]; // direction of the line; normal of the slice; unused for a volume
+    bl_place place; // a grid has only its own place
+    uint64_t seed;  // of the places and the fresh seeds
+    double level;   // of the confidence intervals, e.g. 0.95
+    int threads;    // 0: as many as OpenMP gives
 } bl_psd_settings;
 
 typedef struct bl_psd {
@@ -95,9 +95,9 @@ bl_status bl_psd_of_buffer(float *samples, const bl_psd_settings *settings, bl_p
 
 // A share of the variance.
 typedef struct bl_band {
-    double from, to;       // cycles per unit, to may be INFINITY
-    bl_estimate fraction;  // of the variance, over averages; 0 of a signal without any
-    double theory;         // NAN if unknown
+    double from, to;      // cycles per unit, to may be INFINITY
+    bl_estimate fraction; // of the variance, over averages; 0 of a signal without any
+    double theory;        // NAN if unknown
 } bl_band;
 
 // Fills fraction and theory of a band from the profiles; bins cut by an edge count in proportion.

@@ -6,7 +6,7 @@
 // share as a ratio of sums over averages; fewer, as for a single large slice, by the degrees of
 // freedom of the bins: with A the power in the band, B the power outside, T = A + B,
 //
-//   var A = broadening sum over bins of share^2 power^2 2/(cells K),   F = A/T
+//   var A = broadening sum over bins of share^2 power^2 2/(cells K),   F = A/T,
 //   var F = ((1-F)^2 var A + F^2 var B) / T^2
 //
 // and the interval is symmetric in log(F/(1-F)), which keeps it inside of 0..1.
@@ -59,7 +59,9 @@ static bl_estimate share_by_freedom(const bl_psd *psd, double from, double to, i
             power += psd->profiles[k * (psd->count + 1) + bin] / averages;
         if (!(cells > 0))
             continue;
-        double variance = 2 * power * power * psd->broadening * psd->correlation / cells / averages;
+        // The square of an estimate of few degrees of freedom is too large by 1 + 2/dof.
+        double square = power * power / (1 + 2 / (cells * averages));
+        double variance = 2 * square * psd->broadening * psd->correlation / (cells * averages);
         in += part * power;
         out += (1 - part) * power;
         var_in += part * part * variance;
@@ -136,8 +138,8 @@ double bl_psd_guard(const bl_psd *psd) {
 void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit) {
     // A one-sided limit at level L is the end of the two-sided interval at 2L - 1.
     double two_sided = fmax(2 * psd->settings.level - 1, 1e-9);
-    bl_estimate leak = share_estimate(psd, limit->from - limit->guard, limit->to + limit->guard, 1,
-                                      two_sided);
+    bl_estimate leak =
+        share_estimate(psd, limit->from - limit->guard, limit->to + limit->guard, 1, two_sided);
     limit->leak_db = decibel(leak.value);
     limit->lower_db = decibel(leak.lower);
     limit->upper_db = decibel(leak.upper);

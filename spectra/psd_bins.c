@@ -93,15 +93,14 @@ static void fill_radius(bl_bins *bins, const bin_count *counts) {
                 double square = (double)(x * x + y * y + z * z);
                 size_t bin = bl_bin_of(square, (double)bins->count);
                 if (bin <= EXACT)
-                    bins->radius[bin] +=
-                        images_of(bins->dims, x, y, z, bins->size) * sqrt(square);
+                    bins->radius[bin] += images_of(bins->dims, x, y, z, bins->size) * sqrt(square);
             }
     for (size_t bin = 0; bin <= bins->count; bin++) {
         double cells = (double)counts[bin].cells, squares = (double)counts[bin].squares;
         bins->cells[bin] = cells;
         if (cells > 0)
-            bins->radius[bin] =
-                bin <= EXACT && bin < bins->count ? bins->radius[bin] / cells : sqrt(squares / cells);
+            bins->radius[bin] = bin <= EXACT && bin < bins->count ? bins->radius[bin] / cells
+                                                                  : sqrt(squares / cells);
     }
 }
 

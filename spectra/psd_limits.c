@@ -139,14 +139,15 @@ static void fill_bin(bl_psd *psd, size_t bin, const bin_spread *spread, double s
 }
 
 // One average has no spread: the interval of its variance is that of a Gaussian signal with the
-// measured spectrum, var V = broadening sum over bins of 2 power^2 / cells.
+// measured spectrum, var V = broadening sum over bins of 2 P^2 / cells; and E power^2 of a bin is
+// P^2 (1 + 2/cells).
 static void fill_lone_variance(bl_psd *psd, const bl_bins *bins) {
     double total = 0, square = 0, tail = 0.5 * (1 - psd->settings.level);
     for (size_t bin = 0; bin <= psd->count; bin++) {
         double power = psd->profiles[bin];
         total += power;
         if (bins->cells[bin] > 0)
-            square += power * power / bins->cells[bin] * bins->broad;
+            square += power * power / (bins->cells[bin] + 2) * bins->broad;
     }
     bl_estimate *variance = &psd->variance;
     if (!(square > 0))

@@ -16,13 +16,13 @@
 
 typedef struct bl_sampler {
     const bl_signal *signal;
-    bl_psd_settings settings;       // resolved: nothing left 0 but threads
-    double directions[3][BL_AXES];  // orthonormal
-    double spacing;                 // units between samples: 1/rate
+    bl_psd_settings settings;      // resolved: nothing left 0 but threads
+    double directions[3][BL_AXES]; // orthonormal
+    double spacing;                // units between samples: 1/rate
     int on_grid;
-    size_t tiles[BL_AXES];          // on a grid: averages along each axis
-    size_t tile_length[BL_AXES];    // samples of a tile along each axis
-    double overlap;                 // variance factor of overlapped tiles of white noise
+    size_t tiles[BL_AXES];       // on a grid: averages along each axis
+    size_t tile_length[BL_AXES]; // samples of a tile along each axis
+    double overlap;              // variance factor of overlapped tiles of white noise
 } bl_sampler;
 
 // Checks and resolves the settings for this signal.
@@ -47,11 +47,11 @@ int bl_threads(int setting);
 typedef struct bl_bins {
     unsigned dims;
     size_t size;
-    size_t count;      // bins from 0 to size/2; bin `count` is the corners
-    double *cells;     // [count + 1] cells of the full spectrum in the bin: pairs are two
-    double *radius;    // [count + 1] mean radius, in steps of the transform
-    double *broadening;// [count + 1] the window divides the independent cells of the bin by it
-    double broad;      // the same for a region much wider than the window's main lobe
+    size_t count;       // bins from 0 to size/2; bin `count` is the corners
+    double *cells;      // [count + 1] cells of the full spectrum in the bin: pairs are two
+    double *radius;     // [count + 1] mean radius, in steps of the transform
+    double *broadening; // [count + 1] the window divides the independent cells of the bin by it
+    double broad;       // the same for a region much wider than the window's main lobe
 } bl_bins;
 
 bl_status bl_bins_open(unsigned dims, size_t size, bl_window window, bl_bins *bins,
@@ -106,10 +106,10 @@ typedef struct bl_transform {
     size_t line_pitch;         // doubles between the buffers of two lines
     double *window;            // [size]
     float *window_float;
-    double scale;              // |X|^2 times it is the power of a cell: the variance it holds
-    double window_power;       // (sum of w^2)^dims
+    double scale;        // |X|^2 times it is the power of a cell: the variance it holds
+    double window_power; // (sum of w^2)^dims
     const bl_loops *loops;
-    const bl_fft *whole;       // lines and volumes
+    const bl_fft *whole;                        // lines and volumes
     const bl_fft *row, *columns, *last_columns; // slices
 } bl_transform;
 
@@ -118,8 +118,8 @@ bl_status bl_transform_open(unsigned dims, size_t size, bl_window window, bl_tra
 void bl_transform_close(bl_transform *transform);
 
 typedef struct bl_transformed {
-    double windowed; // sum (w x)^2 / sum w^2
-    bl_bin_sum *sums;// [count + 1] powers, filled; room for twice as many
+    double windowed;  // sum (w x)^2 / sum w^2
+    bl_bin_sum *sums; // [count + 1] powers, filled; room for twice as many
 } bl_transformed;
 
 // Transforms one average: samples (double for a line, else float) less their mean. With `keep` the

@@ -39,10 +39,9 @@ bl_status bl_psd_allocate(bl_psd *psd, const bl_bins *bins, bl_message *message)
 }
 
 void bl_psd_free(bl_psd *psd) {
-    double *arrays[] = {psd->frequency, psd->width,    psd->measure,
-                        psd->psd,       psd->lower,    psd->upper,
-                        psd->dof,       psd->profiles, psd->anisotropy_db,
-                        psd->plane,     psd->theory,   psd->anisotropy_floor_db,
+    double *arrays[] = {psd->frequency,     psd->width, psd->measure, psd->psd,
+                        psd->lower,         psd->upper, psd->dof,     psd->profiles,
+                        psd->anisotropy_db, psd->plane, psd->theory,  psd->anisotropy_floor_db,
                         psd->theory_corners};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         free(arrays[i]);
@@ -131,8 +130,7 @@ static bl_status measure_buffer(float *samples, const bl_transform *transform, c
         double total = 0;
         for (size_t bin = 0; bin <= count; bin++)
             total += psd->profiles[bin] = result.sums[bin].sum;
-        psd->parseval_residual =
-            total == result.windowed ? 0 : fabs(total / result.windowed - 1);
+        psd->parseval_residual = total == result.windowed ? 0 : fabs(total / result.windowed - 1);
         status = bl_psd_check_parseval(psd, message);
         bl_psd_fill_anisotropy(psd, bins, result.sums);
     }

@@ -16,9 +16,9 @@
 #include "spectra/psd_parts.h"
 #include "spectra/theory.h"
 
-static const double REACH = 0x1p20;  // of random places, in units of the domain
-static const double SLIDE = 0x1p12;  // of the random step within a lattice line or slice
-static const size_t LEAST_SIZE = 8;  // below it no window has a main lobe inside the spectrum
+static const double REACH = 0x1p20; // of random places, in units of the domain
+static const double SLIDE = 0x1p12; // of the random step within a lattice line or slice
+static const size_t LEAST_SIZE = 8; // below it no window has a main lobe inside the spectrum
 
 int bl_threads(int setting) {
     return setting > 0 ? setting : omp_get_max_threads();
@@ -62,7 +62,8 @@ static bl_status check_settings(const bl_psd_settings *settings, bl_message *mes
         return bl_report(message, BL_USAGE,
                          "a volume stands on no lattice edge or plane; take a random place");
     if (settings->threads < 0)
-        return bl_report(message, BL_USAGE, "%d threads cannot be had; give 1 or more, or 0 for all",
+        return bl_report(message, BL_USAGE,
+                         "%d threads cannot be had; give 1 or more, or 0 for all",
                          settings->threads);
     return BL_OK;
 }
@@ -112,8 +113,9 @@ static bl_status find_span(bl_sampler *sampler, int spanned[BL_AXES], size_t *sh
         *shortest = extent->size[a] < *shortest ? extent->size[a] : *shortest;
     }
     if (!(sampler->spacing > 0) || isinf(sampler->spacing))
-        return bl_report(message, BL_MISMATCH, "'%s' has a spacing of %g units; it must be positive",
-                         name, sampler->spacing);
+        return bl_report(message, BL_MISMATCH,
+                         "'%s' has a spacing of %g units; it must be positive", name,
+                         sampler->spacing);
     return BL_OK;
 }
 
@@ -194,7 +196,8 @@ bl_status bl_sampler_open(const bl_signal *signal, const bl_psd_settings *settin
         return status;
     *sampler = (bl_sampler){.signal = signal, .settings = *settings, .overlap = 1};
     if (!bl_directions(settings->dims, settings->axis, sampler->directions))
-        return bl_report(message, BL_USAGE, "the axis (%g, %g, %g) has no direction; give a vector "
+        return bl_report(message, BL_USAGE,
+                         "the axis (%g, %g, %g) has no direction; give a vector "
                          "that is finite and not zero",
                          settings->axis[0], settings->axis[1], settings->axis[2]);
     if (signal->dimensions != 0 && settings->dims > signal->dimensions)
@@ -241,9 +244,9 @@ static void start_on_grid(const bl_sampler *sampler, size_t average, double star
         average /= sampler->tiles[a];
         start[a] = 0;
         if (extent->size[a])
-            start[a] = extent->spacing[a] * (double)tile_start(extent->size[a],
-                                                               sampler->tile_length[a],
-                                                               sampler->tiles[a], index);
+            start[a] =
+                extent->spacing[a] * (double)tile_start(extent->size[a], sampler->tile_length[a],
+                                                        sampler->tiles[a], index);
     }
 }
 
@@ -276,8 +279,8 @@ void bl_sampler_fill(const bl_sampler *sampler, size_t average, float *out, size
         step[a] = sampler->directions[0][a] * sampler->spacing;
     bl_signal *fresh = NULL;
     if (!sampler->on_grid)
-        fresh = bl_signal_reseed(sampler->signal,
-                                 bl_stream(settings->seed, 2 * (uint64_t)average + 1));
+        fresh =
+            bl_signal_reseed(sampler->signal, bl_stream(settings->seed, 2 * (uint64_t)average + 1));
     const bl_signal *signal = fresh ? fresh : sampler->signal;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (threads > 1 && rows > 1)
     for (size_t row = 0; row < rows; row++) {
@@ -305,9 +308,10 @@ bl_status bl_sampler_check(const bl_sampler *sampler, size_t average, const floa
         for (unsigned d = 0; d < sampler->settings.dims; d++)
             for (unsigned a = 0; a < BL_AXES; a++)
                 at[a] += (double)along[d] * sampler->directions[d][a] * sampler->spacing;
-        return bl_report(message, BL_MISMATCH,
-                         "'%s' gives %g at (%.9g, %.9g, %.9g, %.9g); a spectrum needs finite values",
-                         sampler->signal->text, (double)value, at[0], at[1], at[2], at[3]);
+        return bl_report(
+            message, BL_MISMATCH,
+            "'%s' gives %g at (%.9g, %.9g, %.9g, %.9g); a spectrum needs finite values",
+            sampler->signal->text, (double)value, at[0], at[1], at[2], at[3]);
     }
     return BL_OK;
 }

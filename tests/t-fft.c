@@ -91,8 +91,7 @@ static void test_transforms_are_the_sum_written_out(void **state) {
 static void test_rows_and_columns_are_the_sum_written_out(void **state) {
     (void)state;
     enum { N = 24, COLUMNS = 5 };
-    bl_fft_shape shape = {
-        .kind = BL_FFT_COLUMNS, .dims = 1, .size = {N}, .columns = COLUMNS};
+    bl_fft_shape shape = {.kind = BL_FFT_COLUMNS, .dims = 1, .size = {N}, .columns = COLUMNS};
     const bl_fft *plan;
     assert_int_equal(bl_fft_plan(&shape, &plan, NULL), BL_OK);
     float *buffer = bl_fft_buffer(bl_fft_bytes(&shape)), *row = bl_fft_buffer(4 * (N + 2));
@@ -132,13 +131,13 @@ static void test_shapes_that_are_none_are_refused(void **state) {
     (void)state;
     bl_message message;
     const bl_fft *plan;
-    const bl_fft_shape wrong[] = {{.dims = 0, .size = {8}},
-                                  {.dims = 4, .size = {8}},
-                                  {.dims = 2, .size = {8, 0}},
-                                  {.dims = 1, .size = {8}, .threads = -1},
-                                  {.kind = BL_FFT_COLUMNS, .dims = 1, .size = {8}},
-                                  {.kind = BL_FFT_ROW, .precision = BL_FFT_DOUBLE, .dims = 1,
-                                   .size = {8}}};
+    const bl_fft_shape wrong[] = {
+        {.dims = 0, .size = {8}},
+        {.dims = 4, .size = {8}},
+        {.dims = 2, .size = {8, 0}},
+        {.dims = 1, .size = {8}, .threads = -1},
+        {.kind = BL_FFT_COLUMNS, .dims = 1, .size = {8}},
+        {.kind = BL_FFT_ROW, .precision = BL_FFT_DOUBLE, .dims = 1, .size = {8}}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         assert_int_equal(bl_fft_plan(&wrong[i], &plan, &message), BL_USAGE);
     bl_fft_shape huge = {.dims = 1, .size = {SIZE_MAX - 1}};

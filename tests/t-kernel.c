@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Kernels: coefficients against the textbook formulas, transforms and correlations against GSL
-// quadrature, continuity against one-sided derivatives, partition of unity, and the closed forms of
-// sums of terms.
+// quadrature, continuity against one-sided derivatives, partition of unity, the radial kernel.
 #include "tests/test.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
-#include "noises/closed_forms.h"
 #include "noises/kernel.h"
 
 // --- the formulas, written a second time ---------------------------------------------------------
@@ -276,69 +274,6 @@ static void test_radial_correlation_is_the_transform_of_its_density(void **state
     }
 }
 
-// --- sums of terms -------------------------------------------------------------------------------
-
-static void make_terms(int which, bl_terms *terms) {
-    *terms = (bl_terms){0};
-    switch (which) {
-    case 0:
-        bl_terms_add_value(terms, 1.0 / 3, BL_KERNEL_CATMULL_ROM);
-        break;
-    case 1:
-        bl_terms_add_gradient(terms, 1.0 / 3, BL_KERNEL_RAMP_SMOOTH, BL_KERNEL_SMOOTH);
-        break;
-    case 2:
-        bl_terms_add_value(terms, 1.0 / 3, BL_KERNEL_SMOOTH);
-        bl_terms_add_gradient(terms, 1.0 / 3, BL_KERNEL_TANGENT, BL_KERNEL_SMOOTH);
-        break;
-    default:
-        bl_terms_add_radial(terms, 1.0 / 3);
-    }
-}
-
-// R(lag) against the numeric 3-D transform of the density, on a grid of spacing 1/9 out to 4.5:
-// the sum over a grid repeats R every 9 units, beyond its reach, and leaves what is beyond 4.5.
-static void test_covariance_is_the_transform_of_the_density(void **state) {
-    (void)state;
-    enum { HALF = 40 };
-    const double lags[3][BL_AXES] = {{0, 0, 0}, {0.3, 0.7, -0.2}, {1.1, -0.4, 1.9}};
-    for (int which = 0; which < 4; which++) {
-        bl_terms terms;
-        make_terms(which, &terms);
-        double sum[3] = {0}, step = 1.0 / 9;
-        for (int i = -HALF; i <= HALF; i++)
-            for (int j = -HALF; j <= HALF; j++)
-                for (int k = 0; k <= HALF; k++) {
-                    double f[BL_AXES] = {i * step, j * step, k * step};
-                    double p = bl_terms_density(&terms, f) * (k ? 2 : 1) * step * step * step;
-                    for (int l = 0; l < 3; l++)
-                        sum[l] += p * cos(2 * M_PI * (f[0] * lags[l][0] + f[1] * lags[l][1])) *
-                                  cos(2 * M_PI * f[2] * lags[l][2]);
-                }
-        double variance = bl_terms_variance(&terms);
-        for (int l = 0; l < 3; l++) {
-            // The density is even in each component, so the cosines of the sums factor for R even.
-            double covariance = bl_terms_covariance(&terms, lags[l]);
-            assert_near(sum[l] / variance, covariance / variance, 2e-4);
-        }
-    }
-}
-
-static void test_the_share_above_zero_is_all_and_falls(void **state) {
-    (void)state;
-    for (int which = 0; which < 4; which++) {
-        bl_terms terms;
-        make_terms(which, &terms);
-        assert_near(bl_terms_share_above(&terms, 0), 1, 1e-15);
-        double last = 1;
-        for (double f = 0.1; f < 8; f += 0.1) {
-            double share = bl_terms_share_above(&terms, f);
-            assert_true(share <= last + 1e-15 && share > 0);
-            last = share;
-        }
-    }
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_kernels_are_the_formulas),
@@ -351,8 +286,6 @@ int main(void) {
         cmocka_unit_test(test_value_kernels_sum_to_one),
         cmocka_unit_test(test_radial_transform_agrees_with_quadrature),
         cmocka_unit_test(test_radial_correlation_is_the_transform_of_its_density),
-        cmocka_unit_test(test_covariance_is_the_transform_of_the_density),
-        cmocka_unit_test(test_the_share_above_zero_is_all_and_falls),
     };
     return bl_run_tests(tests);
 }

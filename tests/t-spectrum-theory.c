@@ -226,6 +226,16 @@ static void test_every_noise_has_the_spectrum_it_states(void **state) {
     }
 }
 
+// Settings that meet: both fades and gradients, weights of either sign, few and many impulses.
+static void test_settings_together_have_the_spectrum_they_state(void **state) {
+    (void)state;
+    static const char *const texts[] = {
+        "gnoise:fade=quintic,gradients=edges", "vgnoise:value=0.3,gradient=-1.5,interp=bspline3",
+        "vgnoise:value=0,gradient=1,fade=linear", "scnoise:impulses=1", "scnoise:impulses=10"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        check_noise(texts[i]);
+}
+
 // The variance that a noise states is that of its samples at random places.
 static void test_the_mean_and_the_variance_are_as_stated(void **state) {
     (void)state;
@@ -249,6 +259,7 @@ int main(void) {
         cmocka_unit_test(test_the_statistic_keeps_its_level),
         cmocka_unit_test(test_a_wrong_theory_is_refused),
         cmocka_unit_test(test_every_noise_has_the_spectrum_it_states),
+        cmocka_unit_test(test_settings_together_have_the_spectrum_they_state),
         cmocka_unit_test(test_the_mean_and_the_variance_are_as_stated),
     };
     return bl_run_tests(tests);

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: MIT
+//
+// Shares of the variance in bands, and verdicts on band limits.
+//
+// Error rate of the coverage tests: 1e-4 each (3.9 standard deviations of the binomial).
+#include "tests/test.h"
+
+#include "spectra/psd.h"
+#include "tests/test_signals.h"
+
+static int keep_no_wisdom(void **state) {
+    (void)state;
+    return setenv("XDG_CACHE_HOME", "/dev/null/none", 1);
+}
+
+static bl_psd measure_white(unsigned dims, size_t size, size_t averages, uint64_t seed) {
+    bl_psd psd;
+    bl_signal *white = bl_test_white(1);
+    bl_psd_settings settings = bl_psd_default_settings(dims);
+    settings.size = size;
+    settings.averages = averages;
+    settings.seed = seed;
+    settings.rate = 8;
+    settings.threads = 1;
+    assert_int_equal(bl_psd_measure(white, &settings, &psd, NULL), BL_OK);
+    bl_signal_free(white);
+    return psd;
+}
+
+static double share_of(const bl_psd *psd, double from, double to) {
+    bl_band band = {.from = from, .to = to};
+    bl_psd_band(psd, &band);
+    return band.fraction.value;
+}
+
+// A partition of the axis is a partition of the variance, wherever its edges cut.
+static void test_bands_add_up_to_the_whole(void **state) {
+    (void)state;
+    const double edges[] = {0, 0.01, 0.3, 1.234, 2.5, 3.99, INFINITY};
+    for (unsigned dims = 1; dims <= 3; dims++)
+        for (size_t averages = 1; averages <= 5; averages += 4)
+            for (size_t size = 15; size <= 16; size++) {
+                bl_psd psd = measure_white(dims, size, averages, 1);
+                double sum = 0;
+                for (int i = 0; i < 6; i++)
+                    sum += share_of(&psd, edges[i], edges[i + 1]);
+                assert_near(sum, 1, 1e-12);
+                assert_near(share_of(&psd, 0, INFINITY), 1, 1e-12);
+                // The corners are outside of the circle, and no line has any.
+                double corners = 1 - share_of(&psd, 0, 4);
+                assert_near(corners,
+                            dims == 1   ? 0
+                            : dims == 2 ? 1 - M_PI / 4
+                                        : 1 - M_PI / 6,
+                            dims == 1 ? 1e-12 : 0.2);
+                bl_psd_free(&psd);
+            }
+}
+
+// White noise: the share of a band is its length, area or volume.
+static void test_shares_of_white_noise_are_their_measure(void **state) {
+    (void)state;
+    bl_psd line = measure_white(1, 1024, 64, 2), slice = measure_white(2, 128, 8, 2);
+    assert_near(share_of(&line, 1, 2), 0.25, 0.01);
+    assert_near(share_of(&line, 0, 4), 1, 1e-12);
+    assert_near(share_of(&slice, 0, 2), M_PI / 16, 0.01);
+    assert_near(share_of(&slice, 1, 3), M_PI / 8, 0.01);
+    bl_psd_free(&line);
+    bl_psd_free(&slice);
+}
+
+static void cover(unsigned dims, size_t size, size_t averages, double from, double to,
+                  double truth) {
+    double inside = 0, trials = (double)bl_test_scaled(300, 100);
+    for (uint64_t r = 0; r < (uint64_t)trials; r++) {
+        bl_psd psd = measure_white(dims, size, averages, r);
+        bl_band band = {.from = from, .to = to};
+        bl_psd_band(&psd, &band);
+        inside += band.fraction.lower <= truth && truth <= band.fraction.upper;
+        assert_true(isnan(band.theory));
+        bl_psd_free(&psd);
+    }
+    double sigma = sqrt(0.95 * 0.05 / trials);
+    if (getenv("BL_TEST_VERBOSE"))
+        printf("coverage %.4f, sigma %.4f\n", inside / trials, sigma);
+    // Intervals by four averages are a little too narrow, as the ratio is not quite normal.
+    assert_near(inside / trials, 0.95, 3.9 * sigma + 0.01);
+}
+
+// By the spread over averages, and for one average by the degrees of freedom of the bins.
+static void test_intervals_of_shares_cover_95_per_cent(void **state) {
+    (void)state;
+    cover(1, 128, 16, 1, 2, 0.25);
+    cover(1, 128, 4, 1, 2, 0.25);
+    cover(1, 256, 1, 1, 2, 0.25);
+    cover(1, 256, 2, 0.5, 3, 0.625);
+    cover(2, 48, 8, 0, 2, M_PI / 16);
+    cover(2, 48, 1, 0, 2, M_PI / 16);
+    cover(2, 48, 1, 1, INFINITY, 1 - M_PI / 64);
+}
+
+static void test_theory_of_a_band_is_that_of_its_bins(void **state) {
+    (void)state;
+    bl_signal *hat = bl_test_hat(1);
+    bl_psd_settings settings = bl_psd_default_settings(1);
+    settings.size = 512;
+    settings.averages = 16;
+    bl_psd psd;
+    assert_int_equal(bl_psd_measure(hat, &settings, &psd, NULL), BL_OK);
+    bl_band all = {.from = 0, .to = INFINITY}, low = {.from = 0, .to = 1};
+    bl_psd_band(&psd, &all);
+    bl_psd_band(&psd, &low);
+    assert_near(all.theory, 1, 1e-12);
+    // The share of sinc^4 within 1 of the origin, 3 int_0^1 sinc^4: by the midpoint rule
+    double sum = 0;
+    for (int i = 0; i < 100000; i++) {
+        double f = (i + 0.5) / 100000, sinc = sin(M_PI * f) / (M_PI * f);
+        sum += 3 * pow(sinc, 4) / 100000;
+    }
+    assert_near(low.theory, sum, 1e-4);
+    assert_true(low.fraction.lower <= sum && sum <= low.fraction.upper);
+    bl_psd_free(&psd);
+    bl_signal_free(hat);
+}
+
+// --- verdicts ---
+
+static bl_psd measure_cosine(double f, size_t averages) {
+    bl_psd psd;
+    bl_signal *cosine = bl_test_cosine(0, 1, (const double[3]){f, 0, 0});
+    bl_psd_settings settings = bl_psd_default_settings(1);
+    settings.size = 256;
+    settings.averages = averages;
+    assert_int_equal(bl_psd_measure(cosine, &settings, &psd, NULL), BL_OK);
+    bl_signal_free(cosine);
+    return psd;
+}
+
+static void test_a_band_limit_passes_fails_or_is_open(void **state) {
+    (void)state;
+    bl_psd psd = measure_cosine(1.03, 8);
+    bl_band_limit limit = {.from = 0, .to = 2, .limit_db = -60};
+    bl_psd_band_limit(&psd, &limit);
+    assert_int_equal(limit.verdict, BL_OK);
+    assert_true(limit.leak_db < -80 && limit.needed_averages == 0);
+    assert_true(limit.lower_db <= limit.leak_db && limit.leak_db <= limit.upper_db);
+    limit = (bl_band_limit){.from = 0, .to = 0.5, .limit_db = -30};
+    bl_psd_band_limit(&psd, &limit);
+    assert_int_equal(limit.verdict, BL_FAIL);
+    assert_near(limit.leak_db, 0, 1e-3);
+    bl_psd_free(&psd);
+
+    // White noise has half of its power above half of Nyquist: at that limit nobody knows.
+    psd = measure_white(1, 128, 16, 3);
+    limit = (bl_band_limit){.from = 0, .to = 2, .limit_db = 10 * log10(0.505)};
+    bl_psd_band_limit(&psd, &limit);
+    assert_int_equal(limit.verdict, BL_INCONCLUSIVE);
+    assert_true(limit.needed_averages > 16);
+    limit.limit_db = 10 * log10(0.6);
+    bl_psd_band_limit(&psd, &limit);
+    assert_int_equal(limit.verdict, BL_OK);
+    limit.limit_db = 10 * log10(0.4);
+    bl_psd_band_limit(&psd, &limit);
+    assert_int_equal(limit.verdict, BL_FAIL);
+    bl_psd_free(&psd);
+}
+
+// With twice the averages it asked for (the need is itself an estimate), the verdict is there:
+// pass, in at least half of the cases.
+static void test_the_needed_averages_settle_it(void **state) {
+    (void)state;
+    int settled = 0, asked = 0;
+    for (uint64_t r = 0; r < 20; r++) {
+        bl_psd psd = measure_white(1, 128, 8, r);
+        bl_band_limit limit = {.from = 0, .to = 2, .limit_db = 10 * log10(0.53)};
+        bl_psd_band_limit(&psd, &limit);
+        if (limit.verdict == BL_INCONCLUSIVE && limit.needed_averages < 2000) {
+            bl_psd again = measure_white(1, 128, 2 * limit.needed_averages, 1000 + r);
+            bl_psd_band_limit(&again, &limit);
+            settled += limit.verdict == BL_OK;
+            asked++;
+            bl_psd_free(&again);
+        }
+        bl_psd_free(&psd);
+    }
+    assert_true(asked > 5);
+    assert_true(settled * 10 >= asked * 5);
+}
+
+// One-sided limits at 95 %: the truth is above the upper one in a twentieth of all cases.
+static void test_one_sided_limits_hold_their_level(void **state) {
+    (void)state;
+    double above = 0, below = 0, trials = (double)bl_test_scaled(400, 200);
+    for (uint64_t r = 0; r < (uint64_t)trials; r++) {
+        bl_psd psd = measure_white(1, 128, 16, 7000 + r);
+        bl_band_limit limit = {.from = 0, .to = 3, .limit_db = 0};
+        bl_psd_band_limit(&psd, &limit);
+        above += 10 * log10(0.25) > limit.upper_db;
+        below += 10 * log10(0.25) < limit.lower_db;
+        bl_psd_free(&psd);
+    }
+    double sigma = sqrt(0.95 * 0.05 / trials);
+    assert_near(above / trials, 0.05, 3.9 * sigma + 0.01);
+    assert_near(below / trials, 0.05, 3.9 * sigma + 0.01);
+}
+
+static void test_no_leak_is_minus_infinity_decibel(void **state) {
+    (void)state;
+    bl_psd psd = measure_white(1, 64, 5, 1);
+    bl_band_limit limit = {.from = 0, .to = INFINITY, .limit_db = -90};
+    bl_psd_band_limit(&psd, &limit);
+    assert_true(limit.leak_db == -INFINITY && limit.upper_db == -INFINITY);
+    assert_int_equal(limit.verdict, BL_OK);
+    bl_psd_free(&psd);
+    bl_signal *constant = bl_test_constant(3);
+    for (size_t averages = 1; averages < 9; averages += 7) {
+        bl_psd_settings settings = bl_psd_default_settings(1);
+        settings.size = 64;
+        settings.averages = averages;
+        assert_int_equal(bl_psd_measure(constant, &settings, &psd, NULL), BL_OK);
+        limit.to = 1;
+        bl_psd_band_limit(&psd, &limit);
+        assert_true(limit.leak_db == -INFINITY && limit.verdict == BL_OK);
+        assert_true(share_of(&psd, 0, 1) == 0);
+        bl_psd_free(&psd);
+    }
+    bl_signal_free(constant);
+}
+
+// A cosine just inside the edge smears over it by the main lobe; the guard forgives that alone.
+static void test_the_guard_forgives_the_main_lobe(void **state) {
+    (void)state;
+    bl_psd psd = measure_cosine(0.99, 8);
+    bl_band_limit limit = {.from = 0, .to = 1, .limit_db = -60};
+    bl_psd_band_limit(&psd, &limit);
+    assert_int_equal(limit.verdict, BL_FAIL);
+    limit.guard = bl_psd_guard(&psd);
+    assert_near(limit.guard, 4 * 16.0 / 256, 1e-12);
+    bl_psd_band_limit(&psd, &limit);
+    assert_int_equal(limit.verdict, BL_OK);
+    bl_psd_free(&psd);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_bands_add_up_to_the_whole),
+        cmocka_unit_test(test_shares_of_white_noise_are_their_measure),
+        cmocka_unit_test(test_intervals_of_shares_cover_95_per_cent),
+        cmocka_unit_test(test_theory_of_a_band_is_that_of_its_bins),
+        cmocka_unit_test(test_a_band_limit_passes_fails_or_is_open),
+        cmocka_unit_test(test_the_needed_averages_settle_it),
+        cmocka_unit_test(test_one_sided_limits_hold_their_level),
+        cmocka_unit_test(test_no_leak_is_minus_infinity_decibel),
+        cmocka_unit_test(test_the_guard_forgives_the_main_lobe),
+    };
+    bl_set_filter();
+    return cmocka_run_group_tests(tests, keep_no_wisdom, NULL);
+}
