@@ -12,7 +12,7 @@ case "$name" in
 *"$T"*) ;;
 *) filter="*$T*" ;;
 esac
-BL_TEST_FILTER="$filter" CMOCKA_MESSAGE_OUTPUT=tap "$program" >"$log" 2>&1
+OMP_WAIT_POLICY=passive BL_TEST_FILTER="$filter" CMOCKA_MESSAGE_OUTPUT=tap "$program" >"$log" 2>&1
 status=$?
 echo "# exit $status" >>"$log"
 passed=$(grep -c '^ok ' "$log")
