@@ -109,7 +109,8 @@ OIIO::ImageSpec spec_of(const bl_image &image, Format format, int channels) {
     if (channels == 1)
         spec.channelnames = {"Y"};
     spec.attribute("compression", "zip");
-    spec.attribute("DateTime", ""); // else the time of writing: the same image, the same bytes
+    // Without a date OpenImageIO writes the time: the same image must have the same bytes.
+    spec.attribute("DateTime", "1970:01:01 00:00:00");
     if (format == Format::png)
         spec.attribute("oiio:ColorSpace", "sRGB"); // codes are for the eye as they stand
     put_attributes(image, spec);

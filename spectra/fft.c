@@ -153,12 +153,16 @@ static bl_status write_wisdom(const char *path, bl_fft_precision precision) {
 
 // --- plans ---
 
+// Must come before wisdom is read: it makes new planners, which know nothing.
+static void prepare_threads(void) {
+    if (threads_are_ready)
+        return;
+    fftw_init_threads();
+    fftwf_init_threads();
+    threads_are_ready = 1;
+}
+
 static void set_threads(bl_fft_precision precision, int threads) {
-    if (!threads_are_ready) {
-        fftw_init_threads();
-        fftwf_init_threads();
-        threads_are_ready = 1;
-    }
     if (precision == BL_FFT_FLOAT)
         fftwf_plan_with_nthreads(threads < 1 ? 1 : threads);
     else
@@ -261,6 +265,7 @@ bl_status bl_fft_plan(const bl_fft_shape *shape, const bl_fft **plan, bl_message
                              shape->size[d], INT_MAX - 2);
     bl_status status = BL_OK;
     pthread_mutex_lock(&lock);
+    prepare_threads();
     *plan = find_entry(shape);
     if (!*plan) {
         struct bl_fft *entry;

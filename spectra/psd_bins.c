@@ -60,24 +60,22 @@ typedef struct bin_count {
     uint64_t cells, squares; // squares: the sum of |k|^2
 } bin_count;
 
-// Along a row of the octant the bin only grows: |k| rounds to r while |k|^2 <= r^2 + r.
+// Along a row of the octant |k| grows by at most 1 a cell, so the bin by 0 or 1: |k| rounds to r
+// while |k|^2 <= r^2 + r. No branch depends on it, because none could be foreseen.
 static void count_row(const bl_bins *bins, size_t y, size_t z, bin_count *counts) {
     size_t half = bins->size / 2, rest = y * y + z * z, x = bins->dims > 1 ? y : 0;
-    size_t bin = bl_bin_of((double)(x * x + rest), (double)bins->count);
-    size_t last = bin < bins->count ? bin * bin + bin : SIZE_MAX; // the last square of the bin
+    size_t bin = bl_bin_of((double)(x * x + rest), INFINITY);
     // Inside of the octant every cell has the same number of images.
-    uint64_t inside = (uint64_t)images_of(bins->dims, half ? half - 1 : 0, y, z, bins->size);
-    for (; x <= half; x++) {
+    uint64_t inside = (uint64_t)images_of(bins->dims, half - 1, y, z, bins->size);
+    for (size_t first = x; x <= half; x++) {
         size_t square = x * x + rest;
-        while (square > last) {
-            bin++;
-            last = bin < bins->count ? bin * bin + bin : SIZE_MAX;
-        }
+        bin += square > bin * bin + bin;
         uint64_t images = inside;
-        if (x == y || x + 1 >= half || x == 0)
+        if (x == first || x + 1 >= half)
             images = (uint64_t)images_of(bins->dims, x, y, z, bins->size);
-        counts[bin].cells += images;
-        counts[bin].squares += images * square;
+        bin_count *count = &counts[bin < bins->count ? bin : bins->count];
+        count->cells += images;
+        count->squares += images * square;
     }
 }
 

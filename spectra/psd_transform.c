@@ -131,9 +131,13 @@ static void run_block(const bl_transform *transform, float *samples, size_t bloc
                       int keep, bl_bin_sum *sums) {
     size_t size = transform->size, from = block * BLOCK;
     size_t columns = transform->count - from < BLOCK ? transform->count - from : BLOCK;
-    for (size_t y = 0; y < size; y++)
-        memcpy(scratch + y * 2 * columns, samples + y * transform->pitch + 2 * from,
-               2 * columns * sizeof(float));
+    for (size_t y = 0; y < size; y++) {
+        const float *cells = samples + y * transform->pitch + 2 * from;
+        if (columns == BLOCK) // a length the compiler knows takes a few vectors, not a call
+            memcpy(scratch + y * 2 * BLOCK, cells, 2 * BLOCK * sizeof(float));
+        else
+            memcpy(scratch + y * 2 * columns, cells, 2 * columns * sizeof(float));
+    }
     bl_fft_run(columns == BLOCK ? transform->columns : transform->last_columns, scratch);
     double weight[BLOCK];
     fill_weights(transform, from, columns, weight);
