@@ -92,5 +92,6 @@ json_t *bl_json_start(bl_call *call) {
 }
 
 int bl_json_print(const json_t *object, FILE *out) {
-    return object && json_dumpf(object, out, JSON_INDENT(1)) == 0 && fputc('\n', out) != EOF;
+    return object && json_dumpf(object, out, JSON_INDENT(1) | JSON_REAL_PRECISION(16)) == 0 &&
+           fputc('\n', out) != EOF;
 }

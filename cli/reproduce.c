@@ -80,13 +80,20 @@ static void report_json(json_t *object, const bl_reproduction *result) {
     bl_json_set_number(object, "seconds", result->seconds);
 }
 
-static void print_claim(FILE *out, const bl_claim *claim) {
-    fprintf(out, "  %-10s %s (%s)\n", bl_verdict_word(claim->verdict), claim->sentence,
-            claim->source);
-    if (claim->verdict == BL_NOT_RUN)
+// A claim in several readings stands under its sentence once.
+static void print_claim(FILE *out, const bl_claim *claim, const bl_claim *before) {
+    if (!before || strcmp(before->sentence, claim->sentence) != 0)
+        fprintf(out, "\n  %s (%s)\n", claim->sentence, claim->source);
+    fprintf(out, "    %-9s  %s", bl_verdict_word(claim->verdict),
+            claim->reading ? claim->reading : "");
+    if (claim->verdict == BL_NOT_RUN) {
+        fputc('\n', out);
         return;
-    fprintf(out, "  %-10s measured %.4g [%.4g, %.4g], expected ", "", claim->measured.value,
-            claim->measured.lower, claim->measured.upper);
+    }
+    fprintf(out, ": %.4g", claim->measured.value);
+    if (claim->measured.lower < claim->measured.upper)
+        fprintf(out, " [%.4g, %.4g]", claim->measured.lower, claim->measured.upper);
+    fputs(", expected ", out);
     if (isfinite(claim->expected_lower) && isfinite(claim->expected_upper))
         fprintf(out, "%.4g to %.4g", claim->expected_lower, claim->expected_upper);
     else if (isfinite(claim->expected_lower))
@@ -103,7 +110,7 @@ static void report_text(bl_call *call, const bl_reproduction *result) {
         fprintf(out, "%s: %s (%s), %.1f s\n", figure->figure->name, figure->figure->title,
                 figure->figure->paper, figure->seconds);
         for (size_t i = 0; i < figure->claim_count; i++)
-            print_claim(out, &figure->claims[i]);
+            print_claim(out, &figure->claims[i], i ? &figure->claims[i - 1] : NULL);
         fputc('\n', out);
     }
     fputs("claims:", out);

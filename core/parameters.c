@@ -201,6 +201,19 @@ static void print_value(const bl_parameter *parameter, const void *block, char *
     }
 }
 
+// Whether a printed value says the same as the default, which may be written otherwise (1/2, 0x10).
+static int is_default(const bl_parameter *parameter, const char *value) {
+    double real, fallback;
+    unsigned long long number, other;
+    if (parameter->kind == BL_REAL)
+        return bl_read_real(value, &real) && bl_read_real(parameter->fallback, &fallback) &&
+               real == fallback;
+    if (parameter->kind == BL_SEED || parameter->kind == BL_INTEGER)
+        return bl_read_unsigned(value, &number) && bl_read_unsigned(parameter->fallback, &other) &&
+               number == other;
+    return strcmp(value, parameter->fallback) == 0;
+}
+
 char *bl_parameters_text(const char *name, const bl_parameter *parameters, const void *block) {
     char *text = NULL;
     size_t size = 0;
@@ -212,7 +225,7 @@ char *bl_parameters_text(const char *name, const bl_parameter *parameters, const
     for (const bl_parameter *parameter = parameters; parameter->key; parameter++) {
         char value[128];
         print_value(parameter, block, value, sizeof value);
-        if (strcmp(value, parameter->fallback) == 0)
+        if (is_default(parameter, value))
             continue;
         fprintf(stream, "%c%s=%s", separator, parameter->key, value);
         separator = ',';

@@ -96,7 +96,8 @@ static bl_status open_measurement(measurement *m, bl_message *message) {
     if (status == BL_OK)
         status = bl_transform_open(dims, settings->size, settings->window, &m->transform, message);
     if (status == BL_OK)
-        status = bl_bins_open(dims, settings->size, settings->window, &m->bins, message);
+        status = bl_bins_open(dims, settings->size, settings->window, m->workers * m->threads_each,
+                              &m->bins, message);
     if (status != BL_OK)
         return status;
     m->averages = settings->averages;

@@ -15,6 +15,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include <omp.h>
+
 #include "spectra/psd_parts.h"
 
 enum { REACH = 6, TABLE = 2 * REACH + 1 }; // w^2 of a 4-term window has harmonics up to 6
@@ -102,15 +104,22 @@ static void fill_radius(bl_bins *bins, const bin_count *counts) {
     }
 }
 
-static bl_status count_cells(bl_bins *bins, bl_message *message) {
-    size_t half = bins->size / 2;
+// Rows in any order by any thread: the sums are whole numbers.
+static bl_status count_cells(bl_bins *bins, int threads, bl_message *message) {
+    size_t half = bins->size / 2, stride = bins->count + 1;
     size_t y_end = bins->dims > 1 ? half : 0, z_end = bins->dims > 2 ? half : 0;
-    bin_count *counts = calloc(bins->count + 1, sizeof *counts);
+    threads = half < 512 ? 1 : threads;
+    bin_count *counts = calloc((size_t)threads * stride, sizeof *counts);
     if (!counts)
         return bl_report(message, BL_DEVICE, "out of memory for %zu bins", bins->count);
-    for (size_t z = 0; z <= z_end; z++)
-        for (size_t y = bins->dims > 2 ? z : 0; y <= y_end; y++)
-            count_row(bins, y, z, counts);
+#pragma omp parallel for schedule(dynamic, 32) num_threads(threads) if (threads > 1)
+    for (size_t y = 0; y <= y_end; y++)
+        for (size_t z = 0; z <= z_end && z <= y; z++)
+            count_row(bins, y, z, counts + (size_t)omp_get_thread_num() * stride);
+    for (size_t i = stride; i < (size_t)threads * stride; i++) {
+        counts[i % stride].cells += counts[i].cells;
+        counts[i % stride].squares += counts[i].squares;
+    }
     fill_radius(bins, counts);
     free(counts);
     return BL_OK;
@@ -188,7 +197,7 @@ static void fill_broadening(bl_bins *bins, bl_window window) {
     }
 }
 
-bl_status bl_bins_open(unsigned dims, size_t size, bl_window window, bl_bins *bins,
+bl_status bl_bins_open(unsigned dims, size_t size, bl_window window, int threads, bl_bins *bins,
                        bl_message *message) {
     *bins = (bl_bins){.dims = dims, .size = size, .count = size / 2 + 1};
     bins->cells = calloc(bins->count + 1, sizeof(double));
@@ -198,7 +207,7 @@ bl_status bl_bins_open(unsigned dims, size_t size, bl_window window, bl_bins *bi
         bl_bins_close(bins);
         return bl_report(message, BL_DEVICE, "out of memory for %zu bins", size / 2 + 1);
     }
-    bl_status status = count_cells(bins, message);
+    bl_status status = count_cells(bins, threads, message);
     if (status == BL_OK)
         fill_broadening(bins, window);
     else

@@ -54,7 +54,7 @@ typedef struct bl_bins {
     double broad;       // the same for a region much wider than the window's main lobe
 } bl_bins;
 
-bl_status bl_bins_open(unsigned dims, size_t size, bl_window window, bl_bins *bins,
+bl_status bl_bins_open(unsigned dims, size_t size, bl_window window, int threads, bl_bins *bins,
                        bl_message *message);
 void bl_bins_close(bl_bins *bins);
 

@@ -150,7 +150,8 @@ bl_status bl_psd_of_buffer(float *samples, const bl_psd_settings *settings, bl_p
     if (status == BL_OK)
         status = bl_transform_open(2, settings->size, settings->window, &transform, message);
     if (status == BL_OK)
-        status = bl_bins_open(2, settings->size, settings->window, &bins, message);
+        status = bl_bins_open(2, settings->size, settings->window, bl_threads(settings->threads),
+                              &bins, message);
     if (status == BL_OK)
         status = bl_psd_allocate(psd, &bins, message);
     if (status == BL_OK)

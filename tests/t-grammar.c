@@ -74,6 +74,25 @@ static void test_the_canonical_text_reads_back_as_the_same_block(void **state) {
     }
 }
 
+static void test_a_default_written_otherwise_is_left_out_of_the_canonical_text(void **state) {
+    (void)state;
+    static const bl_parameter half[] = {{.key = "spacing",
+                                         .kind = BL_REAL,
+                                         .offset = offsetof(block, spacing),
+                                         .minimum = 0,
+                                         .maximum = 1,
+                                         .fallback = "1/2"},
+                                        {.key = NULL}};
+    const double values[] = {0.5, 0.25};
+    const char *texts[] = {"n", "n:spacing=0.25"};
+    for (int i = 0; i < 2; i++) {
+        block b = {.spacing = values[i]};
+        char *text = bl_parameters_text("n", half, &b);
+        assert_string_equal(text, texts[i]);
+        free(text);
+    }
+}
+
 static void test_errors_name_the_word_the_column_and_the_nearest_word(void **state) {
     (void)state;
     static const struct {
@@ -139,6 +158,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_text_fills_the_block_and_defaults_the_rest),
         cmocka_unit_test(test_the_canonical_text_reads_back_as_the_same_block),
+        cmocka_unit_test(test_a_default_written_otherwise_is_left_out_of_the_canonical_text),
         cmocka_unit_test(test_errors_name_the_word_the_column_and_the_nearest_word),
         cmocka_unit_test(test_the_nearest_word_is_near_or_none),
         cmocka_unit_test(test_numbers_are_whole_words),
