@@ -42,6 +42,11 @@ bl_status bl_bench_peers(bl_bench *bench);
 // The spectrum of a 4096 x 4096 buffer against the bare transform.
 bl_status bl_bench_psd(bl_bench *bench);
 
+// Scattered points are many enough, and on both sides of the origin, so that neither the caches nor
+// the branch predictor learn their order.
+enum { BL_SCATTERED = 32768, BL_SCATTER_CUBE = 1000 };
+void bl_bench_scatter(int axes, double (*at)[BL_SCATTERED]);
+
 // The textbook loop of a noise at given places, as a piece of work.
 typedef struct bl_textbook_work {
     float (*textbook)(float x, float y, float z);

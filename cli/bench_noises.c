@@ -9,9 +9,7 @@
 #include "core/random.h"
 #include "noises/textbook.h"
 
-// Scattered points are many enough, and on both sides of the origin, so that neither the caches nor
-// the branch predictor learn their order.
-enum { SAMPLES = 4096, SCATTERED = 32768, CUBE = 1000, ERROR_SAMPLES = 512 };
+enum { SAMPLES = 4096, ERROR_SAMPLES = 512 };
 
 // One kernel at its places. A row has start and step; points have lists.
 typedef struct kernel_work {
@@ -38,9 +36,9 @@ void bl_textbook_run(void *user) {
 
 // The memory of one row of the benchmark; too large for a stack.
 typedef struct bench_places {
-    double at[BL_AXES][SCATTERED];
-    float at_float[3][SCATTERED];
-    float out[SCATTERED], textbook_out[SCATTERED];
+    double at[BL_AXES][BL_SCATTERED];
+    float at_float[3][BL_SCATTERED];
+    float out[BL_SCATTERED], textbook_out[BL_SCATTERED];
 } bench_places;
 
 // The place of sample i, as the contract of a row states it.
@@ -121,17 +119,21 @@ static int time_along_axes(bl_bench *bench, bench_places *places, const bl_signa
     return 1;
 }
 
+void bl_bench_scatter(int axes, double (*at)[BL_SCATTERED]) {
+    bl_random random = bl_random_seed(1, 0);
+    for (int a = 0; a < axes; a++)
+        for (size_t i = 0; i < BL_SCATTERED; i++)
+            at[a][i] = BL_SCATTER_CUBE * (bl_random_unit(&random) - 0.5);
+}
+
 static int time_scattered(bl_bench *bench, bench_places *places, const bl_signal *signal,
                           float (*textbook)(float, float, float), bl_bench_row row) {
-    bl_random random = bl_random_seed(1, 0);
-    kernel_work work = {.signal = signal, .count = SCATTERED, .out = places->out};
-    for (int a = 0; a < BL_AXES; a++) {
-        for (size_t i = 0; i < SCATTERED; i++)
-            places->at[a][i] = CUBE * (bl_random_unit(&random) - 0.5);
+    kernel_work work = {.signal = signal, .count = BL_SCATTERED, .out = places->out};
+    bl_bench_scatter(BL_AXES, places->at);
+    for (int a = 0; a < BL_AXES; a++)
         work.at[a] = places->at[a];
-    }
     row.path = "points";
-    row.samples_per_cell = SCATTERED / pow(CUBE, signal->dimensions);
+    row.samples_per_cell = BL_SCATTERED / pow(BL_SCATTER_CUBE, signal->dimensions);
     return time_row(bench, places, &work, textbook, &row);
 }
 

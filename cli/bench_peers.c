@@ -7,10 +7,9 @@
 #include <string.h>
 
 #include "cli/bench.h"
-#include "core/random.h"
 #include "noises/textbook.h"
 
-enum { SAMPLES = 4096, CUBE = 64, STANDARD_QUALITY = 1 };
+enum { STANDARD_QUALITY = 1 };
 
 typedef double (*libnoise_function)(double x, double y, double z, int seed, int quality);
 
@@ -60,24 +59,22 @@ static const struct {
 
 typedef struct peer_work {
     bl_peer_function function;
-    double at[3][SAMPLES];
-    float at_float[3][SAMPLES];
-    float out[SAMPLES], textbook_out[SAMPLES];
+    double at[3][BL_SCATTERED];
+    float at_float[3][BL_SCATTERED];
+    float out[BL_SCATTERED], textbook_out[BL_SCATTERED];
 } peer_work;
 
 static void run_peer(void *user) {
     peer_work *work = user;
-    for (size_t i = 0; i < SAMPLES; i++)
+    for (size_t i = 0; i < BL_SCATTERED; i++)
         work->out[i] = (float)work->function(work->at[0][i], work->at[1][i], work->at[2][i]);
 }
 
 static void scatter(peer_work *work) {
-    bl_random random = bl_random_seed(1, 0);
+    bl_bench_scatter(3, work->at);
     for (int a = 0; a < 3; a++)
-        for (size_t i = 0; i < SAMPLES; i++) {
-            work->at[a][i] = CUBE * bl_random_unit(&random);
+        for (size_t i = 0; i < BL_SCATTERED; i++)
             work->at_float[a][i] = (float)work->at[a][i];
-        }
 }
 
 bl_status bl_bench_peers(bl_bench *bench) {
@@ -90,7 +87,7 @@ bl_status bl_bench_peers(bl_bench *bench) {
         const bl_noise *noise = bl_noise_find(peers[p].counterpart, bench->call->isa);
         bl_textbook_work plain = {noise ? noise->textbook : NULL,
                                   {work.at_float[0], work.at_float[1], work.at_float[2]},
-                                  SAMPLES,
+                                  BL_SCATTERED,
                                   work.textbook_out};
         const bl_work works[] = {{run_peer, &work, NULL}, {bl_textbook_run, &plain, NULL}};
         bl_time times[2] = {{0, 0}, {NAN, NAN}};
@@ -98,8 +95,8 @@ bl_status bl_bench_peers(bl_bench *bench) {
         bl_time_by_turns(works, plain.textbook ? 2 : 1, bench->rounds, bench->turn_seconds, times);
         bl_bench_row row = {.path = "points",
                             .isa = "as built",
-                            .samples_per_cell = SAMPLES / pow(CUBE, 3),
-                            .samples = SAMPLES,
+                            .samples_per_cell = BL_SCATTERED / pow(BL_SCATTER_CUBE, 3),
+                            .samples = BL_SCATTERED,
                             .candidate = times[0],
                             .yardstick = times[1],
                             .max_error = NAN,
