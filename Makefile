@@ -4,6 +4,7 @@
 #   make reproduce  the figures, into out/                 make bench      the benchmark
 #   make install    PREFIX=/usr/local DESTDIR=             make format     clang-format
 #   make asan, ubsan, tsan   the quick tests under a sanitizer
+#   make V=1        shows the commands
 #   make check T=word    only the tests whose name has the word; SCALE=10 repeats more
 
 PREFIX ?= /usr/local
@@ -53,46 +54,57 @@ ISA_FLAGS_baseline := -march=x86-64-v2
 ISA_FLAGS_v3 := -march=x86-64-v3
 ISA_FLAGS_v4 := -march=x86-64-v4 -mprefer-vector-width=512
 
+# What is being made; the whole command with V=1.
+Q := $(if $(V),,@)
+say = $(if $(V),,@printf '  %-8s %s\n' $(1) $@)
+
 .PHONY: all check reproduce bench install deps format clean asan ubsan tsan
 .DELETE_ON_ERROR:
 all: $(BUILD)/bandlimit $(BUILD)/libbandlimit.a $(BUILD)/libbandlimit.so $(BUILD)/bandlimit.pc
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
-	$(COMPILE_C) -c $< -o $@
+	$(call say,compile)
+	$(Q)$(COMPILE_C) -c $< -o $@
 
 $(BUILD)/reports/oiio.o: reports/oiio.cpp
 	@mkdir -p $(@D)
-	$(CXX) -std=c++17 $(WARNINGS) $(COMMON) $(OIIO_FLAGS) $(CXXFLAGS) -c $< -o $@
+	$(call say,compile)
+	$(Q)$(CXX) -std=c++17 $(WARNINGS) $(COMMON) $(OIIO_FLAGS) $(CXXFLAGS) -c $< -o $@
 
 define noise_rule
 $(BUILD)/noises/%.$(1).o: noises/%.c
 	@mkdir -p $$(@D)
-	$$(COMPILE_C) -DBL_ISA=$(1) $$(ISA_FLAGS_$(1)) -c $$< -o $$@
+	$$(call say,compile)
+	$$(Q)$$(COMPILE_C) -DBL_ISA=$(1) $$(ISA_FLAGS_$(1)) -c $$< -o $$@
 endef
 $(foreach isa,$(ISAS),$(eval $(call noise_rule,$(isa))))
 
 $(BUILD)/libbandlimit.a: $(LIBRARY_OBJECTS)
-	rm -f $@
-	ar rcs $@ $^
+	$(call say,archive)
+	@rm -f $@
+	$(Q)ar rcs $@ $^
 
 $(BUILD)/libbandlimit.so.$(SOVERSION): $(LIBRARY_OBJECTS)
-	$(CXX) -shared -Wl,-soname,$(@F) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) -o $@
+	$(call say,link)
+	$(Q)$(CXX) -shared -Wl,-soname,$(@F) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) -o $@
 
 $(BUILD)/libbandlimit.so: $(BUILD)/libbandlimit.so.$(SOVERSION)
-	ln -sf $(<F) $@
+	@ln -sf $(<F) $@
 
 $(BUILD)/bandlimit: $(PROGRAM_OBJECTS) $(BUILD)/libbandlimit.a
-	$(CXX) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) -o $@
+	$(call say,link)
+	$(Q)$(CXX) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) -o $@
 
 $(BUILD)/bandlimit.pc: bandlimit.pc.in core/version.h
 	@mkdir -p $(@D)
-	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|' $< > $@
+	@sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|' $< > $@
 
 # --- tests --------------------------------------------------------------------------------------
 
 $(BUILD)/tests/t-%: $(BUILD)/tests/t-%.o $(TEST_HELPERS) $(BUILD)/libbandlimit.a
-	$(CXX) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) $(TEST_LIBS) -o $@
+	$(call say,link)
+	$(Q)$(CXX) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) $(TEST_LIBS) -o $@
 
 # A log is always made anew; the last line counts what all of them say.
 LOGS := $(TESTS:%=$(BUILD)/tests/%.log)
