@@ -39,10 +39,10 @@ OIIO_LIBS = $(call once,OIIO_LIBS,pkg-config --libs OpenImageIO)
 TEST_LIBS = $(call once,TEST_LIBS,pkg-config --libs cmocka gsl mpfr)
 
 WARNINGS := -Wall -Wextra -Wshadow -Wpointer-arith -Wundef -Wvla -Wwrite-strings
-C_WARNINGS := $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes
 ifeq ($(CI),true)
 WARNINGS += -Werror
 endif
+C_WARNINGS := $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes
 # The same bits on every instruction set: no contraction to fused operations, no reordering. The
 # other two flags change no value; they free the compiler from errno and from floating traps.
 NUMBERS := -ffp-contract=off -fno-math-errno -fno-trapping-math

@@ -64,31 +64,41 @@ static inline void set_lane_key(const cell_numbers *numbers, int axis, uint64_t 
     keys->exclusive[lane] = key.exclusive;
 }
 
-static inline void permuted_lane_words(const cell_numbers *numbers, const lane_keys *const key[3],
-                                       uint32_t first[LANES], uint32_t second[LANES]) {
-    for (int l = 0; l < LANES; l++) {
-        uint32_t index = bl_perm256_index(key[0]->add[l], key[1]->add[l], key[2]->add[l]);
-        first[l] = numbers->table[0][index];
-        second[l] = numbers->table[1][index];
+static inline void permuted_words(const cell_numbers *numbers, const uint32_t *const add[3],
+                                  int count, uint32_t *restrict first, uint32_t *restrict second) {
+    for (int i = 0; i < count; i++) {
+        uint32_t index = bl_perm256_index(add[0][i], add[1][i], add[2][i]);
+        first[i] = numbers->table[0][index];
+        second[i] = numbers->table[1][index];
     }
 }
 
-// The words of 16 cells from their keys.
-static inline void lane_words(const cell_numbers *numbers, const lane_keys *const key[3],
-                              uint32_t first[LANES], uint32_t second[LANES]) {
+// The words of cells from their keys; `count` is a multiple of LANES.
+static inline void cells_words(const cell_numbers *numbers, const uint32_t *const add[3],
+                               const uint32_t *const exclusive[3], int count,
+                               uint32_t *restrict first, uint32_t *restrict second) {
     if (numbers->lattice.kind == BL_LATTICE_PERM256) {
-        permuted_lane_words(numbers, key, first, second);
+        permuted_words(numbers, add, count, first, second);
         return;
     }
-    const lane_keys *x = key[0], *y = key[1], *z = key[2];
-    uint32_t add = numbers->lattice.add[1], exclusive = numbers->lattice.exclusive[1];
+    const uint32_t *x = add[0], *y = add[1], *z = add[2];
+    const uint32_t *u = exclusive[0], *v = exclusive[1], *w = exclusive[2];
+    uint32_t add_1 = numbers->lattice.add[1], exclusive_1 = numbers->lattice.exclusive[1];
+    for (int i = 0; i < count; i += LANES)
 #pragma omp simd
-    for (int l = 0; l < LANES; l++) {
-        uint32_t sum = x->add[l] + y->add[l] + z->add[l];
-        uint32_t mixed = x->exclusive[l] ^ y->exclusive[l] ^ z->exclusive[l];
-        first[l] = folded(sum * mixed);
-        second[l] = folded((sum + add) * (mixed ^ exclusive));
-    }
+        for (int l = i; l < i + LANES; l++) {
+            uint32_t sum = x[l] + y[l] + z[l];
+            uint32_t mixed = u[l] ^ v[l] ^ w[l];
+            first[l] = folded(sum * mixed);
+            second[l] = folded((sum + add_1) * (mixed ^ exclusive_1));
+        }
+}
+
+static inline void lane_words(const cell_numbers *numbers, const lane_keys *const key[3],
+                              uint32_t first[LANES], uint32_t second[LANES]) {
+    const uint32_t *const add[3] = {key[0]->add, key[1]->add, key[2]->add};
+    const uint32_t *const exclusive[3] = {key[0]->exclusive, key[1]->exclusive, key[2]->exclusive};
+    cells_words(numbers, add, exclusive, LANES, first, second);
 }
 
 #endif

@@ -220,80 +220,75 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
 
 // --- rows ---------------------------------------------------------------------------------------
 
-// The columns of lattice points within 2 of the row: at most 16 of them.
-typedef struct lattice_slabs {
+// The columns of lattice points around the row.
+typedef struct lattice_columns {
     const cell_numbers *numbers;
-    int axis, columns;
-    uint64_t cell;       // of slab 0, along the axis
+    int axis;
     lane_keys key[3];    // of the columns, along the two axes across
     float square[LANES]; // distance of the column from the row
-} lattice_slabs;
+} lattice_columns;
 
-static void open_columns(lattice_slabs *slabs, const axis_row *row) {
-    int count = 0;
-    for (int a = 0; a < 3; a++)
-        for (int l = 0; l < LANES; l++)
-            set_lane_key(slabs->numbers, a, 0, &slabs->key[a], l);
-    for (int c = 0; c < 16; c++) {
+static void open_columns(lattice_columns *columns, const axis_row *row) {
+    for (int c = 0; c < LANES; c++) {
         int offset[2] = {c / 4 - 1, c % 4 - 1};
         double d0 = row->fraction[0] - offset[0], d1 = row->fraction[1] - offset[1];
-        slabs->square[count] = (float)(d0 * d0 + d1 * d1);
-        if (!(slabs->square[count] < 4))
-            continue;
+        columns->square[c] = (float)(d0 * d0 + d1 * d1);
         for (int s = 0; s < 2; s++)
-            set_lane_key(slabs->numbers, row->across[s],
+            set_lane_key(columns->numbers, row->across[s],
                          row->cell_across[s] + (uint64_t)(int64_t)offset[s],
-                         &slabs->key[row->across[s]], count);
-        count++;
+                         &columns->key[row->across[s]], c);
     }
-    slabs->columns = count;
 }
 
-static void fill_slab(const void *context, int64_t slab, radial_impulses *impulses) {
-    const lattice_slabs *slabs = context;
-    const lane_keys *key[3] = {&slabs->key[0], &slabs->key[1], &slabs->key[2]};
-    lane_keys along;
-    for (int l = 0; l < LANES; l++)
-        set_lane_key(slabs->numbers, slabs->axis, slabs->cell + (uint64_t)slab, &along, l);
-    key[slabs->axis] = &along;
-    int at = impulses->count;
-    lane_values(slabs->numbers, key, impulses->amplitude + at);
-    for (int l = 0; l < LANES; l++) { // the lanes past the columns are overwritten later
-        impulses->along[at + l] = 0;
-        impulses->square[at + l] = slabs->square[l];
+static void fill_tile(const void *context, int64_t tile, int part, radial_tile *impulses) {
+    const lattice_columns *columns = context;
+    const lane_keys *key[3] = {&columns->key[0], &columns->key[1], &columns->key[2]};
+    (void)part;
+    impulses->columns = LANES;
+    impulses->impulses = 1;
+    for (int s = 0; s < TILE_CELLS; s++) {
+        lane_keys along;
+        uint64_t cell = (uint64_t)tile * TILE_CELLS + (uint64_t)s;
+        bl_lattice_key one = lane_key(columns->numbers, columns->axis, cell);
+        for (int l = 0; l < LANES; l++) {
+            along.add[l] = one.add;
+            along.exclusive[l] = one.exclusive;
+            impulses->along[s * LANES + l] = (float)(s - TILE_CELLS / 2);
+            impulses->square[s * LANES + l] = columns->square[l];
+        }
+        key[columns->axis] = &along;
+        lane_values(columns->numbers, key, impulses->amplitude + s * LANES);
     }
-    impulses->count = at + slabs->columns;
 }
 
 static void row_along_axis(const cell_numbers *numbers, const axis_row *row, size_t count,
                            float *out) {
-    lattice_slabs slabs = {.numbers = numbers, .axis = row->axis, .cell = row->cell};
-    open_columns(&slabs, row);
-    radial_line line = {.fill = fill_slab,
-                        .context = &slabs,
-                        .slab_most = LANES,
-                        .origin = row->origin,
-                        .step = row->step,
+    lattice_columns columns = {.numbers = numbers, .axis = row->axis};
+    open_columns(&columns, row);
+    radial_line line = {.row = row,
+                        .fill = fill_tile,
+                        .context = &columns,
+                        .parts = 1,
                         .scale = (float)(BL_LATTICE_UNIT / 2)};
-    splat_row(&line, count, out);
+    radial_row(&line, count, out);
 }
-
-#define ROW_LONGEST_STEP 0.25 // with fewer samples a cell, points are faster
 
 static void row(const void *block, const double start[BL_AXES], const double step[BL_AXES],
                 size_t count, float *out) {
     const convolution_parameters *p = block;
     axis_row along;
-    if (p->kernel == KERNEL_EXACT && count > 1 && axis_row_open(&along, start, step, count) &&
-        along.step <= ROW_LONGEST_STEP) {
+    size_t from, to;
+    find_inside(start, step, count, &from, &to);
+    if (p->kernel == KERNEL_EXACT && from < to &&
+        axis_row_open(&along, start, step, from, to - from)) {
         cell_numbers numbers;
         cell_numbers_open(&numbers, p->seed, (bl_lattice_kind)p->lattice);
-        row_along_axis(&numbers, &along, count, out);
-        if (along.reversed)
-            reverse(out, count);
+        row_along_axis(&numbers, &along, to - from, out + from);
     } else {
-        row_by_points(points, block, start, step, count, out);
+        to = from;
     }
+    row_by_points(points, block, start, step, 0, from, out);
+    row_by_points(points, block, start, step, to, count - to, out + to);
 }
 
 // --- the text's own loops -----------------------------------------------------------------------

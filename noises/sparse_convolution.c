@@ -36,9 +36,9 @@
 #include "noises/convolution_row.h"
 #include "noises/noise.h"
 #include "noises/radial_kernel.h"
-#include "noises/radial_row.h"
 #include "noises/sparse_impulses.h"
 #include "noises/sparse_points.h"
+#include "noises/sparse_row.h"
 #include "noises/textbook.h"
 
 typedef struct sparse_parameters {
@@ -166,142 +166,22 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
 
 // --- rows ---------------------------------------------------------------------------------------
 
-enum { COLUMNS = 2 * LANES }; // 25, filled up
-
-// The columns of cells along the row within 2 of it.
-typedef struct sparse_slabs {
-    const sparse_source *source;
-    int axis, across[2];
-    uint64_t cell; // of slab 0, along the axis
-    int columns;
-    lane_keys key[3][COLUMNS / LANES]; // of the columns, along the two axes across
-    float corner[2][COLUMNS];          // from the middle of the column to the row, in 2^-32 cells
-} sparse_slabs;
-
-static void open_columns(sparse_slabs *slabs, const axis_row *row) {
-    const cell_numbers *numbers = &slabs->source->numbers;
-    int count = 0;
-    for (int i = 0; i < COLUMNS; i++)
-        slabs->corner[0][i] = slabs->corner[1][i] = (float)(8 * IMPULSE_UNITS); // out of reach
-    for (int i = 0; i < COLUMNS; i++)
-        for (int a = 0; a < 3; a++)
-            set_lane_key(numbers, a, 0, &slabs->key[a][i / LANES], i % LANES);
-    for (int c = 0; c < 25; c++) {
-        int offset[2] = {c / 5 - 2, c % 5 - 2};
-        double square = 0;
-        for (int s = 0; s < 2; s++) {
-            double gap = fmax(offset[s] - row->fraction[s], row->fraction[s] - offset[s] - 1);
-            square += gap > 0 ? gap * gap : 0;
-        }
-        if (square >= 4)
-            continue;
-        for (int s = 0; s < 2; s++) {
-            int a = slabs->across[s];
-            set_lane_key(numbers, a, row->cell_across[s] + (uint64_t)(int64_t)offset[s],
-                         &slabs->key[a][count / LANES], count % LANES);
-            slabs->corner[s][count] = (float)((row->fraction[s] - offset[s] - 0.5) * IMPULSE_UNITS);
-        }
-        count++;
-    }
-    slabs->columns = count;
-}
-
-// One impulse of each column in a slab, before the far ones are dropped.
-typedef struct sparse_candidates {
-    float along[COLUMNS], square[COLUMNS], amplitude[COLUMNS];
-} sparse_candidates;
-
-// Impulse n of LANES columns.
-static inline void place_column_impulses(const sparse_slabs *slabs, int block, int n,
-                                         const uint32_t first[LANES], const uint32_t second[LANES],
-                                         sparse_candidates *candidates) {
-    const uint32_t *factor = slabs->source->factors.of[n];
-    int at = block * LANES;
-    float place[3][LANES];
-#pragma omp simd
-    for (int l = 0; l < LANES; l++) {
-        place[0][l] = (float)(int32_t)(first[l] * factor[0]);
-        place[1][l] = (float)(int32_t)(first[l] * factor[1]);
-        place[2][l] = (float)(int32_t)(second[l] * factor[2]);
-        candidates->amplitude[at + l] = bl_lattice_value(second[l] * factor[3]);
-    }
-    const float *along = place[slabs->axis];
-    const float *across_0 = place[slabs->across[0]], *across_1 = place[slabs->across[1]];
-    const float *corner_0 = slabs->corner[0] + block * LANES;
-    const float *corner_1 = slabs->corner[1] + block * LANES;
-#pragma omp simd
-    for (int l = 0; l < LANES; l++) {
-        float u = (corner_0[l] - across_0[l]) * (float)(1 / IMPULSE_UNITS);
-        float v = (corner_1[l] - across_1[l]) * (float)(1 / IMPULSE_UNITS);
-        candidates->square[at + l] = u * u + v * v;
-        candidates->along[at + l] = along[l] * (float)(1 / IMPULSE_UNITS) + 0.5f;
-    }
-}
-
-// Appends the candidates within 2 of the row: writes each, and keeps it by advancing, since a
-// branch would be guessed wrong.
-static inline void keep_near(const sparse_candidates *candidates, int columns,
-                             radial_impulses *kept) {
-    size_t count = (size_t)kept->count;
-    for (int i = 0; i < columns; i++) {
-        kept->along[count] = candidates->along[i];
-        kept->square[count] = candidates->square[i];
-        kept->amplitude[count] = candidates->amplitude[i];
-        count += candidates->square[i] < 4;
-    }
-    kept->count = (int)count;
-}
-
-static void fill_slab(const void *context, int64_t slab, radial_impulses *impulses) {
-    const sparse_slabs *slabs = context;
-    const sparse_source *source = slabs->source;
-    sparse_candidates candidates[IMPULSES_MOST];
-    lane_keys along;
-    bl_lattice_key key = lane_key(&source->numbers, slabs->axis, slabs->cell + (uint64_t)slab);
-    for (int l = 0; l < LANES; l++) {
-        along.add[l] = key.add;
-        along.exclusive[l] = key.exclusive;
-    }
-    for (int b = 0; b * LANES < slabs->columns; b++) {
-        const lane_keys *keys[3] = {&slabs->key[0][b], &slabs->key[1][b], &slabs->key[2][b]};
-        keys[slabs->axis] = &along;
-        uint32_t first[LANES], second[LANES];
-        lane_words(&source->numbers, keys, first, second);
-        for (int n = 0; n < source->impulses; n++)
-            place_column_impulses(slabs, b, n, first, second, &candidates[n]);
-    }
-    for (int n = 0; n < source->impulses; n++)
-        keep_near(&candidates[n], slabs->columns, impulses);
-}
-
-static void row_along_axis(const sparse_source *source, const axis_row *row, size_t count,
-                           float *out) {
-    sparse_slabs slabs = {.source = source, .axis = row->axis, .cell = row->cell};
-    slabs.across[0] = row->across[0];
-    slabs.across[1] = row->across[1];
-    open_columns(&slabs, row);
-    radial_line line = {.fill = fill_slab,
-                        .context = &slabs,
-                        .slab_most = 25 * source->impulses,
-                        .origin = row->origin,
-                        .step = row->step,
-                        .scale = source->scale};
-    radial_row(&line, count, out);
-}
-
 static void row(const void *block, const double start[BL_AXES], const double step[BL_AXES],
                 size_t count, float *out) {
     const sparse_parameters *p = block;
     axis_row along;
-    if (p->kernel == KERNEL_EXACT && count > 1 && axis_row_open(&along, start, step, count)) {
+    size_t from, to;
+    find_inside(start, step, count, &from, &to);
+    if (p->kernel == KERNEL_EXACT && from < to &&
+        axis_row_open(&along, start, step, from, to - from)) {
         sparse_source source;
         sparse_source_open(&source, p->seed, (bl_lattice_kind)p->lattice, p->impulses);
-        row_along_axis(&source, &along, count, out);
-        if (along.reversed)
-            reverse(out, count);
+        sparse_row(&source, &along, to - from, out + from);
     } else {
-        row_by_points(points, block, start, step, count, out);
+        to = from;
     }
+    row_by_points(points, block, start, step, 0, from, out);
+    row_by_points(points, block, start, step, to, count - to, out + to);
 }
 
 // --- the text's own loops -----------------------------------------------------------------------

@@ -9,6 +9,7 @@
 
 #include "core/random.h"
 #include "core/statistics.h"
+#include "noises/convolution_row.h"
 #include "noises/noise.h"
 #include "noises/radial_kernel.h"
 #include "noises/sparse_impulses.h"
@@ -59,11 +60,13 @@ static void test_the_float_kernel_is_the_kernel(void **state) {
     }
 }
 
-static void test_the_quick_root_is_a_root(void **state) {
+static void test_the_far_polynomial_is_the_kernel(void **state) {
     (void)state;
-    for (float s = 0x1p-20f; s < 64; s *= 1.0001f)
-        assert_near((double)quick_root(s) / sqrt((double)s), 1, 5e-7);
-    assert_true(quick_root(0) == 0);
+    for (double w = -1; w <= 2; w += 0x1p-12) {
+        double expected = w > 0 ? 2 * radial_kernel(sqrt(4 - w)) : 0;
+        assert_near((double)radial_far((float)w, RADIAL_FAR_SCALE), expected, 4.5e-7);
+    }
+    assert_true(radial_far(0, 1) == 0 && radial_far(-3, 1) == 0);
 }
 
 // The text fills a table of K(sqrt(i/100)), i = 0..400, and rounds d*100 to the nearest i.
@@ -298,6 +301,33 @@ static void test_rows_along_an_axis_equal_the_reference(void **state) {
     }
 }
 
+// Steps that are multiples of 2^-9, so that a start in the middle has exactly the same coordinates;
+// pieces of all sizes from 1 up, in both directions, of splats and of gathers.
+static void test_a_row_in_pieces_has_the_bits_of_the_whole(void **state) {
+    (void)state;
+    enum { COUNT = 5000 };
+    static float whole[COUNT], piece[COUNT];
+    const double steps[] = {0.05078125, 0.5, 0x1p-9, -0.19921875, -1.25, 0.5};
+    for (int n = 0; n < NAMES; n++) {
+        bl_signal *signal = open(names[n]);
+        for (int s = 0; s < 6; s++) {
+            double start[BL_AXES] = {bases[s] + 0.25, -7.7, 1e6 + 0.3, 0}, step[BL_AXES] = {0};
+            if (s == 5) // on its way it leaves the limit of rows, and goes on by points
+                start[0] = AXIS_ROW_LIMIT - 100;
+            size_t total = n == 3 ? 400 : COUNT; // 64 impulses take their time
+            step[0] = steps[s];
+            bl_signal_row(signal, start, step, total, whole);
+            for (size_t from = 0, size = 1; from < total; from += size, size = size * 3 / 2 + 1) {
+                double at[BL_AXES] = {start[0] + (double)from * step[0], start[1], start[2], 0};
+                size_t count = from + size <= total ? size : total - from;
+                bl_signal_row(signal, at, step, count, piece);
+                assert_memory_equal(piece, whole + from, count * sizeof *piece);
+            }
+        }
+        bl_signal_free(signal);
+    }
+}
+
 static void test_other_rows_equal_the_reference(void **state) {
     (void)state;
     const double steps[][BL_AXES] = {{0.05, 0.03, 0}, {0.1, -0.2, 0.3}, {0, 0, 0},
@@ -392,7 +422,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_kernel_and_its_slope_are_continuous),
         cmocka_unit_test(test_the_float_kernel_is_the_kernel),
-        cmocka_unit_test(test_the_quick_root_is_a_root),
+        cmocka_unit_test(test_the_far_polynomial_is_the_kernel),
         cmocka_unit_test(test_the_table_kernel_is_the_table_of_the_text),
         cmocka_unit_test(test_a_fine_table_is_the_exact_kernel),
         cmocka_unit_test(test_impulses_are_uniform_and_independent),
@@ -400,6 +430,7 @@ int main(void) {
         cmocka_unit_test(test_the_gradient_is_the_slope_of_the_value),
         cmocka_unit_test(test_the_text_tables_have_period_256),
         cmocka_unit_test(test_rows_along_an_axis_equal_the_reference),
+        cmocka_unit_test(test_a_row_in_pieces_has_the_bits_of_the_whole),
         cmocka_unit_test(test_other_rows_equal_the_reference),
         cmocka_unit_test(test_points_equal_the_reference),
         cmocka_unit_test(test_bad_coordinates_give_nan_and_leave_the_others_alone),
