@@ -104,7 +104,15 @@ static json_t *row_json(const bl_bench_row *row) {
     return object;
 }
 
-static void report_json(json_t *object, const bl_bench *bench, bl_status verdict) {
+static size_t count_missed(const bl_bench *bench) {
+    size_t missed = 0;
+    for (size_t i = 0; i < bench->count; i++)
+        missed += !isnan(bench->rows[i].floor) && !is_met(&bench->rows[i]);
+    return missed;
+}
+
+// Without --check the floors are shown and not judged.
+static void report_json(json_t *object, const bl_bench *bench, int checked, bl_status verdict) {
     char processor[128];
     read_processor(processor, sizeof processor);
     bl_json_set_text(object, "processor", processor);
@@ -117,7 +125,8 @@ static void report_json(json_t *object, const bl_bench *bench, bl_status verdict
     for (size_t i = 0; i < bench->count; i++)
         json_array_append_new(rows, row_json(&bench->rows[i]));
     json_object_set_new(object, "rows", rows);
-    bl_json_set_text(object, "verdict", bl_status_word(verdict));
+    bl_json_set_count(object, "floors_missed", count_missed(bench));
+    bl_json_set_text(object, "verdict", checked ? bl_status_word(verdict) : "not judged");
     bl_json_set_count(object, "exit_status", (uint64_t)verdict);
 }
 
@@ -223,11 +232,10 @@ static bl_status run_bench(bl_call *call) {
     if (status == BL_OK && call->operands.count == 0)
         status = bl_bench_psd(&bench);
     bl_progress(call, NULL);
-    for (size_t i = 0; i < bench.count; i++)
-        if (!isnan(bench.rows[i].floor) && !is_met(&bench.rows[i]) && settings->check)
-            verdict = BL_FAIL;
+    if (settings->check && count_missed(&bench) > 0)
+        verdict = BL_FAIL;
     if (status == BL_OK && bl_json_start(call))
-        report_json(call->json, &bench, verdict);
+        report_json(call->json, &bench, settings->check, verdict);
     else if (status == BL_OK && !call->common.quiet)
         report_text(call, &bench);
     if (status == BL_OK && call->path)

@@ -2,7 +2,6 @@
 //
 // The verb `render`: an image of a slice.
 #include <math.h>
-#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -10,6 +9,7 @@
 #include "cli/json.h"
 #include "cli/verb.h"
 #include "cli/words.h"
+#include "core/grid.h"
 #include "reports/image.h"
 #include "spectra/memory.h"
 #include "spectra/theory.h"
@@ -20,12 +20,10 @@ typedef struct render_settings {
     const char *at, *normal, *range;
 } render_settings;
 
-// Where the pixels stand: pixel (i, j) is at corner + i*right + j*down.
 typedef struct slice_view {
-    size_t width, height;
+    bl_grid grid; // of the pixels
     double spacing;
     double centre[BL_AXES], normal[3];
-    double corner[BL_AXES], right[BL_AXES], down[BL_AXES];
     double black, white;
 } slice_view;
 
@@ -52,12 +50,12 @@ static void settle_size(const render_settings *settings, const bl_signal *signal
     const bl_extent *extent = &signal->extent;
     size_t width = settings->width, height = settings->height;
     int sampled = extent->size[0] && extent->size[1];
-    view->width = width ? width : height ? height : sampled ? extent->size[0] : 512;
-    view->height = height ? height : width ? width : sampled ? extent->size[1] : 512;
+    view->grid.width = width ? width : height ? height : sampled ? extent->size[0] : 512;
+    view->grid.height = height ? height : width ? width : sampled ? extent->size[1] : 512;
     double across = settings->scale > 0 ? settings->scale
                     : sampled           ? (double)extent->size[0] * extent->spacing[0]
                                         : 16;
-    view->spacing = across / (double)view->width;
+    view->spacing = across / (double)view->grid.width;
     if (sampled)
         for (int a = 0; a < 2; a++)
             view->centre[a] = 0.5 * ((double)extent->size[a] - 1) * extent->spacing[a];
@@ -69,11 +67,12 @@ static bl_status settle_plane(const bl_signal *signal, slice_view *view, bl_mess
     if (!bl_directions(2, view->normal, directions))
         return bl_report(message, BL_USAGE, "--normal: not a direction");
     double upwards = signal->extent.size[1] ? -1 : 1;
-    double left = 0.5 * ((double)view->width - 1), top = 0.5 * ((double)view->height - 1);
+    double left = 0.5 * ((double)view->grid.width - 1), top = 0.5 * ((double)view->grid.height - 1);
     for (int a = 0; a < BL_AXES; a++) {
-        view->right[a] = view->spacing * directions[0][a];
-        view->down[a] = -upwards * view->spacing * directions[1][a];
-        view->corner[a] = view->centre[a] - left * view->right[a] - top * view->down[a];
+        view->grid.right[a] = view->spacing * directions[0][a];
+        view->grid.down[a] = -upwards * view->spacing * directions[1][a];
+        view->grid.origin[a] =
+            view->centre[a] - left * view->grid.right[a] - top * view->grid.down[a];
     }
     return BL_OK;
 }
@@ -92,16 +91,6 @@ static bl_status settle_view(bl_call *call, const bl_signal *signal, slice_view 
         status =
             bl_read_range("range", settings->range, 0, &view->black, &view->white, &call->message);
     return status == BL_OK ? settle_plane(signal, view, &call->message) : status;
-}
-
-static void fill(const bl_signal *signal, const slice_view *view, int threads, float *values) {
-#pragma omp parallel for schedule(static) num_threads(threads)
-    for (size_t j = 0; j < view->height; j++) {
-        double start[BL_AXES];
-        for (int a = 0; a < BL_AXES; a++)
-            start[a] = view->corner[a] + (double)j * view->down[a];
-        bl_signal_row(signal, start, view->right, view->width, values + j * view->width);
-    }
 }
 
 typedef struct image_outcome {
@@ -126,13 +115,13 @@ static image_outcome look(const float *values, size_t count, const slice_view *v
 
 static void report(bl_call *call, const bl_signal *signal, const slice_view *view,
                    const image_outcome *outcome) {
-    size_t count = view->width * view->height;
+    size_t count = view->grid.width * view->grid.height;
     json_t *object = bl_json_start(call);
     if (object) {
         bl_json_set_text(object, "signal", signal->text);
         bl_json_set_text(object, "path", call->path);
-        bl_json_set_count(object, "width_pixels", view->width);
-        bl_json_set_count(object, "height_pixels", view->height);
+        bl_json_set_count(object, "width_pixels", view->grid.width);
+        bl_json_set_count(object, "height_pixels", view->grid.height);
         bl_json_set_number(object, "spacing_units", view->spacing);
         bl_json_set_numbers(object, "centre", view->centre, 3);
         bl_json_set_numbers(object, "normal", view->normal, 3);
@@ -149,7 +138,7 @@ static void report(bl_call *call, const bl_signal *signal, const slice_view *vie
     if (call->common.quiet)
         return;
     fprintf(call->out, "%s: %zu x %zu pixels, %g units between them, values %.6g to %.6g\n",
-            call->path, view->width, view->height, view->spacing, outcome->minimum,
+            call->path, view->grid.width, view->grid.height, view->spacing, outcome->minimum,
             outcome->maximum);
     if (is_png(call->path))
         fprintf(call->out, "black is %g, white is %g; %zu values were clipped\n", view->black,
@@ -170,8 +159,8 @@ static bl_status write_image(bl_call *call, const bl_signal *signal, const slice
                                        {"bandlimit:centre", centre},
                                        {"bandlimit:normal", normal}};
     const render_settings *settings = call->settings;
-    const bl_image image = {.width = view->width,
-                            .height = view->height,
+    const bl_image image = {.width = view->grid.width,
+                            .height = view->grid.height,
                             .channels = 1,
                             .values = values,
                             .spacing = view->spacing,
@@ -189,19 +178,19 @@ static bl_status render(bl_call *call, const bl_signal *signal) {
     if (status != BL_OK)
         return status;
     // The writer holds a second copy at most; 2^30 * 2^30 * 8 fits in a double and not in memory.
-    double bytes = 8.0 * (double)view.width * (double)view.height;
+    double bytes = 8.0 * (double)view.grid.width * (double)view.grid.height;
     status = bl_memory_check(bytes, "the image", &call->message);
     if (status != BL_OK)
         return status;
-    float *values = malloc(view.width * view.height * sizeof *values);
+    float *values = malloc(view.grid.width * view.grid.height * sizeof *values);
     if (!values)
         return bl_report(&call->message, BL_DEVICE, "out of memory: the image takes %.0f bytes",
                          bytes);
     bl_progress(call, "rendering %s ...", signal->text);
-    fill(signal, &view, bl_call_threads(call), values);
+    bl_grid_fill(signal, &view.grid, bl_call_threads(call), values);
     status = write_image(call, signal, &view, values);
     if (status == BL_OK) {
-        image_outcome outcome = look(values, view.width * view.height, &view);
+        image_outcome outcome = look(values, view.grid.width * view.grid.height, &view);
         report(call, signal, &view, &outcome);
     }
     free(values);

@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grid.h"
 #include "core/random.h"
 #include "reports/figures/six_noises.h"
 #include "spectra/psd.h"
@@ -27,11 +28,12 @@ static const char text_gridless[] = "peachey2003, Sparse Convolution Noise";
 // --- the slices ---------------------------------------------------------------------------------
 
 static void fill_slice(const bl_signal *signal, double z, float *out) {
-    const double step[BL_AXES] = {1.0 / PER_CELL, 0, 0, 0};
-    for (int j = 0; j < SIDE; j++) {
-        const double start[BL_AXES] = {0, (double)j / PER_CELL, z, 0};
-        bl_signal_row(signal, start, step, SIDE, out + (size_t)j * SIDE);
-    }
+    const bl_grid grid = {.origin = {0, 0, z, 0},
+                          .right = {1.0 / PER_CELL, 0, 0, 0},
+                          .down = {0, 1.0 / PER_CELL, 0, 0},
+                          .width = SIDE,
+                          .height = SIDE};
+    bl_grid_fill(signal, &grid, 1, out);
 }
 
 static bl_status write_slices(bl_run *run, const bl_six *six, const char *place, double z,
