@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // What main and the verbs share: opening signals, threads, progress, verdict words.
-#include <omp.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "cli/verb.h"
+#include "core/grid.h"
 #include "reports/source.h"
 
 bl_status bl_call_open(bl_call *call, const char *text, bl_signal **signal) {
@@ -27,7 +27,7 @@ bl_status bl_call_seed_signal(bl_call *call, bl_signal **signal) {
 }
 
 int bl_call_threads(const bl_call *call) {
-    return call->common.threads ? (int)call->common.threads : omp_get_max_threads();
+    return bl_thread_count((int)call->common.threads);
 }
 
 void bl_progress(const bl_call *call, const char *format, ...) {

@@ -4,6 +4,7 @@
 //
 // A transform of length 2n of the line followed by n zeros has as its squared magnitude the
 // transform of the sum above without wrap-around (Wiener 1930, Khinchin 1934).
+#include "core/grid.h"
 #include "spectra/autocorrelation.h"
 
 #include <math.h>
@@ -40,7 +41,7 @@ static bl_status open_correlation(correlation *c, double reach, bl_message *mess
     double lags = floor(reach / c->sampler.spacing * (1 + 1e-12)) + 1, most = (double)(c->size / 2);
     c->count = (size_t)(reach == 0 || lags > most + 1 ? most + 1 : lags);
     c->pitch = (2 * (c->size + 1) + 7) / 8 * 8; // doubles: whole cache lines
-    int threads = bl_threads(c->sampler.settings.threads);
+    int threads = bl_thread_count(c->sampler.settings.threads);
     c->workers = c->averages < (size_t)threads ? (int)c->averages : threads;
     double averages = (double)c->averages, size = (double)c->size;
     bl_status status = bl_memory_check(averages * (4 * size + 8 * (double)c->count + 4) +

@@ -14,8 +14,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include <omp.h>
-
+#include "core/grid.h"
 #include "core/hash.h"
 #include "core/random.h"
 #include "spectra/histogram_parts.h"
@@ -163,7 +162,7 @@ static bl_status not_finite(const bl_sampling *s, size_t index, bl_message *mess
 }
 
 static bl_status fill_values(bl_sampling *s, bl_message *message) {
-    int threads = s->settings.threads > 0 ? s->settings.threads : omp_get_max_threads();
+    int threads = bl_thread_count(s->settings.threads);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (threads > 1)
     for (size_t block = 0; block < s->blocks; block++) {
         float *out = s->values + s->first[block];

@@ -14,6 +14,7 @@
 
 #include <omp.h>
 
+#include "core/grid.h"
 #include "spectra/memory.h"
 #include "spectra/psd_parts.h"
 #include "spectra/theory.h"
@@ -63,7 +64,7 @@ static double half_cells(const bl_psd_settings *settings) {
 // that no machine has are refused and not wrapped.
 static bl_status plan_memory(measurement *m, bl_message *message) {
     const bl_psd_settings *settings = &m->sampler.settings;
-    int threads = bl_threads(settings->threads);
+    int threads = bl_thread_count(settings->threads);
     double size = (double)settings->size, averages = (double)settings->averages;
     double rows = pow(size, (double)settings->dims - 1);
     double average = 4 * rows * (settings->dims == 1 ? size : size + 48);

@@ -39,9 +39,6 @@ size_t bl_sampler_samples(const bl_sampler *sampler);
 bl_status bl_sampler_check(const bl_sampler *sampler, size_t average, const float *samples,
                            size_t pitch, bl_message *message);
 
-// Threads that a setting asks for: 0 is what OpenMP gives.
-int bl_threads(int setting);
-
 // --- bins ---
 
 typedef struct bl_bins {

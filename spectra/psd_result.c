@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/grid.h"
 #include "spectra/psd_parts.h"
 
 bl_status bl_psd_allocate(bl_psd *psd, const bl_bins *bins, bl_message *message) {
@@ -110,7 +111,7 @@ static bl_status check_buffer(float *samples, const bl_psd_settings *settings,
 static bl_status measure_buffer(float *samples, const bl_transform *transform, const bl_bins *bins,
                                 bl_psd *psd, bl_message *message) {
     size_t size = transform->size, count = bins->count;
-    int threads = bl_threads(psd->settings.threads);
+    int threads = bl_thread_count(psd->settings.threads);
     double *rows = malloc(2 * size * sizeof *rows), square;
     bl_transformed result = {.sums = calloc(2 * (count + 1), sizeof *result.sums)};
     bl_status status = BL_OK;
@@ -150,8 +151,8 @@ bl_status bl_psd_of_buffer(float *samples, const bl_psd_settings *settings, bl_p
     if (status == BL_OK)
         status = bl_transform_open(2, settings->size, settings->window, &transform, message);
     if (status == BL_OK)
-        status = bl_bins_open(2, settings->size, settings->window, bl_threads(settings->threads),
-                              &bins, message);
+        status = bl_bins_open(2, settings->size, settings->window,
+                              bl_thread_count(settings->threads), &bins, message);
     if (status == BL_OK)
         status = bl_psd_allocate(psd, &bins, message);
     if (status == BL_OK)

@@ -9,8 +9,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include <omp.h>
-
 #include "core/hash.h"
 #include "core/random.h"
 #include "spectra/psd_parts.h"
@@ -19,10 +17,6 @@
 static const double REACH = 0x1p20; // of random places, in units of the domain
 static const double SLIDE = 0x1p12; // of the random step within a lattice line or slice
 static const size_t LEAST_SIZE = 8; // below it no window has a main lobe inside the spectrum
-
-int bl_threads(int setting) {
-    return setting > 0 ? setting : omp_get_max_threads();
-}
 
 static const double default_rate[4] = {0, 16, 8, 4};
 static const size_t default_size[4] = {0, 2048, 512, 64};
