@@ -27,7 +27,7 @@ PROGRAM_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard cli/*.c))
 TESTS := $(patsubst tests/%.c,%,$(wildcard tests/t-*.c))
 TEST_HELPERS := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/t-*.c),$(wildcard tests/*.c)))
 OBJECTS := $(LIBRARY_OBJECTS) $(PROGRAM_OBJECTS) $(TESTS:%=$(BUILD)/tests/%.o) $(TEST_HELPERS)
-HEADERS := $(wildcard core/*.h noises/*.h spectra/*.h reports/*.h)
+PUBLIC_HEADERS := $(shell sed -n 's/^\#include "\(.*\)"/\1/p' include/bandlimit.h)
 
 # Expanded when first used, and once: `make deps` may have to install pkg-config first.
 once = $(eval $(1) := $(shell $(2)))$($(1))
@@ -152,7 +152,7 @@ install: all
 	ln -sf libbandlimit.so.$(SOVERSION) $(DESTDIR)$(PREFIX)/lib/libbandlimit.so
 	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|' bandlimit.pc.in \
 	    > $(DESTDIR)$(PREFIX)/lib/pkgconfig/bandlimit.pc
-	for header in $(HEADERS); do \
+	for header in $(PUBLIC_HEADERS); do \
 	    install -D -m 644 $$header $(DESTDIR)$(PREFIX)/include/bandlimit/$$header; done
 	install -m 644 include/bandlimit.h $(DESTDIR)$(PREFIX)/include/bandlimit/
 	install -m 644 man/bandlimit.1 $(DESTDIR)$(PREFIX)/share/man/man1/

@@ -39,7 +39,8 @@ bl_status bl_file_create(const char *path, bl_file *file, bl_message *message) {
     file->path = strdup(path);
     file->temporary = is_special(path) ? strdup(path) : bl_file_temporary_name(path);
     if (file->path && file->temporary)
-        file->stream = fopen(file->temporary, "w");
+        // A pipe opened for reading too would not wait for its reader.
+        file->stream = fopen(file->temporary, is_special(path) ? "w" : "w+");
     if (!file->stream) {
         bl_report(message, BL_DEVICE, "cannot write '%s': %s; check the folder and its permissions",
                   path, strerror(errno));
@@ -57,10 +58,21 @@ static void release(bl_file *file) {
     *file = (bl_file){0};
 }
 
+// An earlier write failed and its errno is lost; one more byte, in a file that will be removed,
+// fails for the same reason.
+static int ask_again(int descriptor, int special) {
+    return !special && lseek(descriptor, 0, SEEK_END) >= 0 && write(descriptor, "", 1) < 0 ? errno
+                                                                                           : EIO;
+}
+
 bl_status bl_file_commit(bl_file *file, bl_message *message) {
     int special = strcmp(file->path, file->temporary) == 0;
-    int failed = fflush(file->stream) != 0 || ferror(file->stream);
+    int failed = fflush(file->stream) != 0;
     int reason = errno;
+    if (!failed && ferror(file->stream)) {
+        failed = 1;
+        reason = ask_again(fileno(file->stream), special);
+    }
     // fsync makes a full disk or a failing device speak up before the old file is replaced; pipes
     // and devices do not know it.
     if (!failed && !special && fsync(fileno(file->stream)) != 0) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Files appear whole or not at all: a bl_file is written beside its target under a temporary name
-// and renamed when it is committed.
+// and renamed when it is committed. Functions may be called from several threads at once for
+// different files.
 #ifndef BL_CORE_FILE_H
 #define BL_CORE_FILE_H
 
@@ -10,7 +11,7 @@
 #include "core/status.h"
 
 typedef struct bl_file {
-    FILE *stream; // write here
+    FILE *stream; // write here; a regular file can also be read back and sought in
     char *path;   // the target
     char *temporary;
 } bl_file;

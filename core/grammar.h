@@ -49,7 +49,8 @@ typedef struct bl_parameter {
 } bl_parameter;
 
 // Fills a parameter block with the defaults, then with the settings of the spec. Every setting
-// must be in the list, once. `text` is the whole text for messages.
+// must be in the list, once. `text` is the whole text for messages. Errors: BL_USAGE for an unknown
+// or repeated key and for a value that is not of its kind or out of range. Thread-safe.
 bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec, const char *text,
                              void *block, bl_message *message);
 

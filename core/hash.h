@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// The 64-bit integer hash that all random numbers of the project come from.
+// The 64-bit integer hash behind the generator, the streams of a seed, and everything that is drawn
+// once. The lattices, which are drawn from at every sample, have a shorter hash of their own, seeded
+// by this one (noises/lattice.h).
 //
 //   mix(x): three rounds of xor-shift, two odd multiplications between them; a bijection of the
 //   64-bit integers. Every input bit flips every output bit with probability 1/2 to within what
 //   2^16 trials can tell (t-hash).
 //
-// The multipliers are fractional parts in units of 2^-64, made odd: of the golden ratio, and of
-// sqrt(2) times an odd part chosen by nothing else: floor(2^64 * frac(sqrt 2)) | 1.
+// The multipliers are the fractional parts of the golden ratio and of sqrt(2) in units of 2^-64,
+// rounded down and made odd. All functions are pure.
 #ifndef BL_CORE_HASH_H
 #define BL_CORE_HASH_H
 

@@ -14,10 +14,15 @@ typedef struct bl_estimate {
     double samples;
 } bl_estimate;
 
+// The standard normal distribution: the probability below x, and the x with the probability p below
+// it (-INFINITY and INFINITY at 0 and 1). Good to 1e-13 relative in the tails.
 double bl_normal_cdf(double x);
 double bl_normal_quantile(double p);
+// Chi-square with nu > 0 degrees of freedom; NaN for nu <= 0. The quantile halves its bracket until
+// it cannot: microseconds, good to a few units in the last place of the distribution function.
 double bl_chi_square_cdf(double x, double nu);
 double bl_chi_square_quantile(double p, double nu);
+// Student's t with nu > 0 degrees of freedom, in the same way.
 double bl_student_quantile(double p, double nu);
 
 // Mean and its Student interval from n independent values.

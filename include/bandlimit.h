@@ -21,8 +21,11 @@ extern "C" {
 #include "noises/noise.h"
 #include "spectra/window.h"
 #include "spectra/psd.h"
+#include "spectra/autocorrelation.h"
 #include "spectra/histogram.h"
 #include "spectra/theory.h"
+#include "reports/image.h"
+#include "reports/source.h"
 
 #ifdef __cplusplus
 }

@@ -324,9 +324,8 @@ static inline void bl_gradient_row(const bl_gradient_noise *noise, const double 
     }
     for (size_t done = 0; done < count; done += block.count) {
         if (!bl_row_block_load(&block, start[axis], step[axis], first + done, count - done, 0)) {
-            bl_row_by_points(bl_gradient_points_function, noise, start, step, first + done,
-                             count - done, out + done);
-            return;
+            bl_row_nan(&block, out + done);
+            continue;
         }
         if (bl_gradient_is_fast(noise))
             bl_gradient_row_spheres(&block, &plan, &noise->lattice, level, slope);

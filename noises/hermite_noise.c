@@ -201,8 +201,8 @@ static void row(const void *block_of_parameters, const double start[BL_AXES],
     }
     for (size_t done = 0; done < count; done += block.count) {
         if (!bl_row_block_load(&block, start[axis], step[axis], done, count - done, 0)) {
-            bl_row_by_points(lattice_points, &lattice, start, step, done, count - done, out + done);
-            return;
+            bl_row_nan(&block, out + done);
+            continue;
         }
         row_planes(&block, &plan, &lattice, cubic[0], cubic[1]);
         hermite_cubics(block.cells, cubic[0], cubic[1], cubic[2], cubic[3]);

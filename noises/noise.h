@@ -39,6 +39,8 @@ typedef enum bl_isa { BL_ISA_BASELINE, BL_ISA_V3, BL_ISA_V4, BL_ISA_COUNT, BL_IS
 const char *bl_isa_name(bl_isa isa); // "baseline", "v3", "v4"
 int bl_isa_runs_here(bl_isa isa);    // by the processor's own word
 bl_isa bl_isa_best(void);            // the highest that runs here
+// Reads "baseline", "v3" or "v4". Errors: BL_USAGE for another word, BL_MISMATCH for a set that this
+// processor lacks.
 bl_status bl_isa_read(const char *word, bl_isa *isa, bl_message *message);
 
 size_t bl_noise_count(void);
@@ -47,7 +49,8 @@ size_t bl_noise_count(void);
 const bl_noise *bl_noise_at(size_t index, bl_isa isa);
 const bl_noise *bl_noise_find(const char *name, bl_isa isa);
 
-// Opens a noise by its text. The caller frees the signal.
+// Opens a noise by its text. The caller frees the signal with bl_signal_free; on failure it is left
+// alone. Errors: BL_USAGE for an unknown name, key or value, BL_DEVICE out of memory. Thread-safe.
 bl_status bl_noise_open(const char *text, bl_isa isa, bl_signal **signal, bl_message *message);
 
 // Names the descriptor of a noise file: BL_NOISE_DESCRIPTOR(gradient_noise) = {...};

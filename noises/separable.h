@@ -11,10 +11,13 @@
 // samples, and between two lattice planes the noise is a polynomial in the fraction. Its
 // coefficients are made for a run of cells side by side, each lattice plane once. Samples then
 // evaluate the polynomial of their cell: where many share a cell, run by run; else by index. Both
-// do the same operations on the same numbers, so neither the length of a row nor where it was cut
-// changes a bit. A row with more than `widest` cells a sample falls back to points.
+// do the same operations on the same numbers. A row with more than `widest` cells a sample falls
+// back to points; that choice depends on the step alone.
 //
-// Fractions are rounded to 2^-24, half a unit in the last place of a float near 1, on both ways.
+// A coordinate is rounded once, to a multiple of 2^-24 (half a unit in the last place of a float
+// near 1), ties to even, and splits then exactly into cell and fraction: by itself, whatever its
+// neighbours in a block are. So neither the length of a row, nor where it was cut, nor the points
+// of a batch change a bit of a sample.
 #ifndef BL_NOISES_SEPARABLE_H
 #define BL_NOISES_SEPARABLE_H
 
@@ -57,6 +60,7 @@ typedef struct bl_point_block {
 
 // In x + 1.5 * 2^28, |x| < 2^27, the last bit is worth 2^-24, the low 24 bits are the fraction and
 // the next 28 are the cell plus 2^27; 0x41B above them says that the sum is in [2^28, 2^29).
+#define BL_NEAR 0x1p27
 #define BL_NEAR_MAGIC 0x1.8p28
 #define BL_NEAR_EXPONENT 0x41b00000u
 #define BL_NEAR_BIAS 0xb8000000u // what (high << 8 | low >> 24) has above the cell, mod 2^32
@@ -118,9 +122,12 @@ static inline void bl_keys_far(bl_point_block *block, unsigned axis, const doubl
     for (size_t i = 0; i < block->lanes; i++) {
         uint64_t cell = 0;
         double fraction = 0;
-        if (!bl_lattice_split(x[i], &cell, &fraction))
+        // Rounds as bl_split_near does: near numbers at once, because between -1 and 0 the fraction
+        // of all their digits would not be exact.
+        double near = (x[i] + BL_NEAR_MAGIC) - BL_NEAR_MAGIC;
+        if (!bl_lattice_split(fabs(x[i]) < BL_NEAR ? near : x[i], &cell, &fraction))
             block->outside[i] = 1;
-        // Rounds as bl_split_near does; 1 belongs to the next cell.
+        // For the others the fraction, which is exact; 1 belongs to the next cell.
         fraction = (fraction + BL_NEAR_MAGIC) - BL_NEAR_MAGIC;
         cell += fraction >= 1;
         keys->cell[i] = (uint32_t)cell + BL_NEAR_BIAS;
@@ -258,43 +265,50 @@ typedef struct bl_row_block {
 } bl_row_block;
 
 // Splits up to BL_ROW samples, fewer if they span too many cells (far out, where neighbouring
-// doubles are many cells apart). The cell planes lie at whole numbers minus `shift`, which is 0 or
-// 1/2. Returns 0 if a sample is outside of the domain.
+// doubles are many cells apart) or if the domain ends among them. The cell planes lie at whole
+// numbers minus `shift`, which is 0 or 1/2. Returns 0 if the samples are outside of the domain.
 static inline int bl_row_block_load(bl_row_block *block, double start, double step, size_t first,
                                     size_t count, double shift) {
     count = count < BL_ROW ? count : BL_ROW;
     double from = start + (double)first * step, to;
+    int inside;
     for (;; count = (count + 1) / 2) {
         to = start + (double)(first + count - 1) * step;
-        if (!(fabs(from) < 0x1p62 && fabs(to) < 0x1p62))
-            return 0;
-        // One sample spans one cell, so this ends.
-        if (fabs(to - from) < BL_CELLS - 4)
+        inside = fabs(from) < 0x1p62;
+        // Both ends are inside, or both are outside, on one side because they are not far apart;
+        // coordinates are monotone along a row, so all between are as the ends. Ends for one
+        // sample, which is as far as itself (or infinite or NaN: no number is the distance).
+        if (inside == (fabs(to) < 0x1p62) && !(fabs(to - from) >= BL_CELLS - 4))
             break;
     }
+    block->count = count;
+    if (!inside)
+        return 0;
     double base = floor(fmin(from, to));
     bl_halves shifted;
-    // x - base is exact: both are multiples of the last place of x, and it is below 2^10. So the
-    // fraction does not depend on where the block begins. It is not exact for x in (-1, 0) with
-    // more digits than that, where the rounding is far below that of the fraction.
-    const double number = (double)first, magic = shift + BL_NEAR_MAGIC;
+    // Near numbers are rounded by the sum with `magic` alone; the 1 is room for the shift. The
+    // others are above 2^27 - 2^11 > 2^26 in size, so that x and base are multiples of 2^-26, and
+    // 0 <= x - base < 2^10: exact. Its sum with `magic` rounds as that of x would, ties too, because
+    // base is a multiple of 2 * 2^-24.
+    const int near = fmax(fabs(from), fabs(to)) < BL_NEAR - 1;
+    const double number = (double)first, magic = shift + BL_NEAR_MAGIC, origin = near ? 0 : base;
+    const uint32_t bias = BL_NEAR_BIAS + (near ? (uint32_t)(int64_t)base : 0);
     const int samples = (int)count;
 #pragma omp simd
     for (int i = 0; i < samples; i++)
-        shifted.number[i] = ((start + (number + i) * step) - base) + magic;
+        shifted.number[i] = ((start + (number + i) * step) - origin) + magic;
 #pragma omp simd
     for (size_t i = 0; i < count; i++) {
         uint32_t low = shifted.half[2 * i], high = shifted.half[2 * i + 1];
-        block->index[i] = (high << 8 | low >> 24) - BL_NEAR_BIAS;
+        block->index[i] = (high << 8 | low >> 24) - bias;
         block->fraction[i] = (float)(int32_t)(low & 0xffffffu) * 0x1p-24f;
     }
     for (size_t i = count; i < count + BL_LANES; i++) {
         block->index[i] = 0;
         block->fraction[i] = 0;
     }
-    block->count = count;
     block->cell = (uint64_t)(int64_t)base;
-    // Coordinates are monotone along a row: so are the cells.
+    // As the coordinates, the cells are monotone.
     uint32_t last = block->index[from < to ? count - 1 : 0];
     block->cells = last + 1;
     block->lanes = (block->cells + BL_KNOTS + BL_LANES - 1) / BL_LANES * BL_LANES;
@@ -322,6 +336,12 @@ static inline void bl_row_keys(const bl_row_block *block, const bl_lattice *latt
         add[m] = half;
         exclusive[m] = bl_lattice_exclusive(half, here < low ? after : before);
     }
+}
+
+// What a block outside of the domain has.
+static inline void bl_row_nan(const bl_row_block *block, float *out) {
+    for (size_t i = 0; i < block->count; i++)
+        out[i] = NAN;
 }
 
 // What the two other axes of a row say: their cells, fractions and keys.

@@ -295,9 +295,8 @@ static inline void bl_value_row(const bl_value_noise *noise, const double start[
     for (size_t done = 0; done < count; done += block.count) {
         if (!bl_row_block_load(&block, start[axis], step[axis], first + done, count - done,
                                plan.shape->shift)) {
-            bl_row_by_points(bl_value_points_function, noise, start, step, first + done,
-                             count - done, out + done);
-            return;
+            bl_row_nan(&block, out + done);
+            continue;
         }
         bl_value_row_planes(&block, &plan, &noise->lattice, plane);
         for (int r = 0; r < 4; r++)

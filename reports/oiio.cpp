@@ -16,6 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/imageio.h>
 
@@ -117,11 +118,78 @@ OIIO::ImageSpec spec_of(const bl_image &image, Format format, int channels) {
     return spec;
 }
 
-bl_status write_image(const char *path, const bl_image &image, bl_message *message) {
-    const Format format = format_of(path);
+// The stream of a bl_file, as the image library wants to see it. The library may lose an error (its
+// PNG writer does), so the first one stays here. TIFF reads back what it wrote; between reading and
+// writing a stream wants to be placed anew.
+class Stream : public OIIO::Filesystem::IOProxy {
+  public:
+    Stream(FILE *of_file, const char *name) : IOProxy(name, Write), stream(of_file) {
+    }
+    const char *proxytype() const override {
+        return "stream";
+    }
+    size_t write(const void *bytes, size_t count) override {
+        if (!go(m_pos, Last::write))
+            return 0;
+        const size_t done = std::fwrite(bytes, 1, count, stream);
+        at = m_pos += static_cast<int64_t>(done);
+        end = std::max(end, at);
+        if (done < count)
+            keep_reason();
+        return done;
+    }
+    size_t read(void *bytes, size_t count) override {
+        if (!go(m_pos, Last::read))
+            return 0;
+        const size_t done = std::fread(bytes, 1, count, stream);
+        at = m_pos += static_cast<int64_t>(done);
+        return done;
+    }
+    size_t pwrite(const void *bytes, size_t count, int64_t offset) override {
+        const int64_t here = m_pos;
+        m_pos = offset;
+        const size_t done = write(bytes, count);
+        m_pos = here;
+        return done;
+    }
+    size_t pread(void *bytes, size_t count, int64_t offset) override {
+        const int64_t here = m_pos;
+        m_pos = offset;
+        const size_t done = read(bytes, count);
+        m_pos = here;
+        return done;
+    }
+    size_t size() const override {
+        return static_cast<size_t>(end);
+    }
+    int reason = 0; // errno of the first failure
+
+  private:
+    enum class Last { write, read };
+
+    bool go(int64_t place, Last now) {
+        if ((place != at || now != last) && fseeko(stream, place, SEEK_SET) != 0) {
+            keep_reason();
+            return false;
+        }
+        at = place;
+        last = now;
+        return true;
+    }
+    void keep_reason() {
+        if (!reason)
+            reason = errno ? errno : EIO;
+    }
+
+    FILE *stream;
+    int64_t at = 0, end = 0; // the stream's own place; the bytes written
+    Last last = Last::write;
+};
+
+bl_status check_image(const char *path, const bl_image &image, bl_message *message) {
     const size_t channels = image.channels ? image.channels : 1;
     const size_t most = 1 << 24; // pixels along a side: beyond it no format here can hold them
-    if (format == Format::none)
+    if (format_of(path) == Format::none)
         return bl_report(message, BL_USAGE,
                          "cannot tell the format of '%s': the name must end in .exr, .png or .tif",
                          path);
@@ -131,26 +199,42 @@ bl_status write_image(const char *path, const bl_image &image, bl_message *messa
     if ((channels != 1 && channels != 3) || (image.bits && image.bits != 8 && image.bits != 16))
         return bl_report(message, BL_USAGE, "'%s': an image has 1 or 3 channels and 8 or 16 bits",
                          path);
-    struct stat info;
-    if (stat(path, &info) == 0 && S_ISDIR(info.st_mode))
-        return bl_report(message, BL_DEVICE, "cannot write '%s': it is a folder; name a file",
-                         path);
-    std::unique_ptr<char, void (*)(void *)> temporary(bl_file_temporary_name(path), std::free);
-    if (!temporary)
-        return bl_report(message, BL_DEVICE, "out of memory");
+    return BL_OK;
+}
+
+// The image into the stream; what the library says of a failure goes into `reason`.
+bool encode(Stream &stream, const char *path, const bl_image &image, std::string &reason) {
+    const Format format = format_of(path);
+    const size_t channels = image.channels ? image.channels : 1;
     auto output = OIIO::ImageOutput::create(path);
-    bool good =
-        output && output->open(temporary.get(), spec_of(image, format, static_cast<int>(channels)));
+    if (!output) {
+        reason = OIIO::geterror();
+        return false;
+    }
+    bool good = output->set_ioproxy(&stream) &&
+                output->open(path, spec_of(image, format, static_cast<int>(channels)));
     good = good && write_values(*output, image, format, image.width * image.height * channels);
-    good = good && output->close();
-    if (good)
-        return bl_file_install(temporary.get(), path, message);
-    const std::string reason = output ? output->geterror() : OIIO::geterror();
-    if (output)
-        output->close();
-    unlink(temporary.get());
-    return bl_report(message, BL_DEVICE,
-                     "cannot write '%s': %s; check the folder, its permissions and its space", path,
+    good = output->close() && good;
+    reason = output->geterror();
+    return good;
+}
+
+bl_status write_image(const char *path, const bl_image &image, bl_message *message) {
+    bl_file file;
+    bl_status status = check_image(path, image, message);
+    if (status == BL_OK)
+        status = bl_file_create(path, &file, message);
+    if (status != BL_OK)
+        return status;
+    const std::unique_ptr<bl_file, void (*)(bl_file *)> discard(&file, bl_file_discard);
+    Stream stream(file.stream, path);
+    std::string reason;
+    const bool good = encode(stream, path, image, reason);
+    if (good && !stream.reason)
+        return bl_file_commit(&file, message); // after which nothing is left to discard
+    if (stream.reason)                         // the system's own word says more than the library's
+        reason = std::strerror(stream.reason);
+    return bl_report(message, BL_DEVICE, "cannot write '%s': %s; nothing was changed there", path,
                      reason.empty() ? "the image library gives no reason" : reason.c_str());
 }
 

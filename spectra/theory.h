@@ -2,6 +2,7 @@
 //
 // Closed-form spectra of a signal along lines, in slices and in volumes, from the covariance and
 // the density that its descriptor states; and the expectation of a windowed estimate of them.
+// Frequencies are in cycles per unit; all functions are pure, so thread-safe.
 #ifndef BL_SPECTRA_THEORY_H
 #define BL_SPECTRA_THEORY_H
 
@@ -26,7 +27,8 @@ double bl_theory_slice(const bl_signal *signal, const double u[BL_AXES], const d
                        double fu, double fv);
 double bl_theory_volume(const bl_signal *signal, const double f[BL_AXES]);
 
-// The share of the variance between two frequencies (radii in a slice or volume), exact.
+// The share of the variance between two frequencies (radii in a slice or volume), exact to
+// rounding of the quadrature; `to` may be INFINITY. NaN without a closed form.
 double bl_theory_band(const bl_signal *signal, unsigned dims, const double directions[3][BL_AXES],
                       double from, double to);
 

@@ -20,6 +20,7 @@ typedef enum bl_window {
 const char *bl_window_name(bl_window window);
 // BL_USAGE for any other word; the message names the nearest.
 bl_status bl_window_read(const char *word, bl_window *window, bl_message *message);
+// Fills out[0..size-1]; size 1 gives 1. Pure, so thread-safe.
 void bl_window_fill(bl_window window, size_t size, double *out);
 
 // Half the width of the main lobe, in bins: power at one frequency reaches no farther, but for the
