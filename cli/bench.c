@@ -9,7 +9,6 @@
 #include "cli/bench.h"
 #include "cli/csv.h"
 #include "cli/json.h"
-#include "core/file.h"
 
 typedef struct bench_settings {
     int check;
@@ -161,18 +160,22 @@ static void report_text(bl_call *call, const bl_bench *bench) {
         call->out,
         "%s; compiler %s\none thread (psd: %d); least and median of %d rounds by turns; error "
         "against the double\nreference around 0, 1e6 and 1e9; yardstick: the textbook's loop "
-        "at the same places; ratio: how much\nfaster (psd: how many bare transforms it costs)\n\n",
-        processor, __VERSION__, bl_call_threads(call), bench->rounds);
-    fprintf(call->out, "%-22s %-9s %-2s %-9s%9s%9s%9s%10s%8s%10s\n", "signal", "path", "ax", "isa",
-            "per cell", "ns", "median", "yardstick", "ratio", "error");
+        "at the same places; ratio: how much\nfaster (psd: how many bare transforms it costs); per "
+        "cell: samples in a cell of the "
+        "lattice (points: %d over a\ncube of %d cells a side, so hardly two in one); floor: the "
+        "ratio asked for, judged with --check\n\n",
+        processor, __VERSION__, bl_call_threads(call), bench->rounds, BL_SCATTERED,
+        BL_SCATTER_CUBE);
+    fprintf(call->out, "%-22s %-9s %-2s %-9s%9s%9s%9s%10s%8s%10s  %s\n", "signal", "path", "ax",
+            "isa", "per cell", "ns", "median", "yardstick", "ratio", "error", "floor");
     for (size_t i = 0; i < bench->count; i++)
         print_row(call, &bench->rows[i]);
 }
 
-static bl_status write_csv(const bl_call *call, const bl_bench *bench, bl_message *message) {
+static bl_status write_csv(bl_call *call, const bl_bench *bench) {
     bl_file file;
     char processor[128];
-    bl_status status = bl_file_create(call->path, &file, message);
+    bl_status status = bl_csv_open(call, &file);
     if (status != BL_OK)
         return status;
     read_processor(processor, sizeof processor);
@@ -199,7 +202,7 @@ static bl_status write_csv(const bl_call *call, const bl_bench *bench, bl_messag
             bl_csv_number(file.stream, numbers[k], ',');
         bl_csv_number(file.stream, row->floor, '\n');
     }
-    return bl_file_commit(&file, message);
+    return bl_csv_close(call, &file);
 }
 
 // The signals named, or the whole registry, with the instruction sets asked for.
@@ -239,7 +242,7 @@ static bl_status run_bench(bl_call *call) {
     else if (status == BL_OK && !call->common.quiet)
         report_text(call, &bench);
     if (status == BL_OK && call->path)
-        status = write_csv(call, &bench, &call->message);
+        status = write_csv(call, &bench);
     free(bench.rows);
     return status == BL_OK ? verdict : status;
 }

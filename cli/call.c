@@ -6,7 +6,9 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "cli/plain.h"
 #include "cli/verb.h"
+#include "core/grammar.h"
 #include "core/grid.h"
 #include "reports/source.h"
 
@@ -14,16 +16,72 @@ bl_status bl_call_open(bl_call *call, const char *text, bl_signal **signal) {
     return bl_source_open(text, call->isa, signal, &call->message);
 }
 
-bl_status bl_call_seed_signal(bl_call *call, bl_signal **signal) {
-    if (!call->common.seed_word)
+// The key that the noise of a signal takes its seed from.
+static const char *seed_key(const bl_signal *signal) {
+    const bl_noise *noise = bl_noise_find(signal->name, BL_ISA_BASELINE);
+    const bl_parameter *parameter = noise ? noise->parameters : NULL;
+    for (; parameter && parameter->key; parameter++)
+        if (parameter->kind == BL_SEED && parameter->offset == signal->seed_offset)
+            return parameter->key;
+    return NULL;
+}
+
+// Refuses a text that names another seed than --seed does.
+static bl_status check_seed(bl_call *call, const char *text, const char *key) {
+    bl_spec spec;
+    unsigned long long named;
+    bl_status status = bl_spec_parse(text, &spec, &call->message);
+    if (status != BL_OK)
+        return status;
+    for (size_t i = 0; i < spec.count; i++)
+        if (strcmp(spec.settings[i].key, key) == 0 &&
+            bl_read_unsigned(spec.settings[i].value, &named) && named != call->common.seed)
+            status = bl_report(&call->message, BL_USAGE,
+                               "--seed %s and %s=%s in '%s' contradict each other; leave one of "
+                               "them out",
+                               call->common.seed_word, key, spec.settings[i].value, text);
+    bl_spec_free(&spec);
+    return status;
+}
+
+// The canonical text of the signal lacks a seed that is the default, and those are refused above
+// that differ; so whatever seed it has is the right one.
+static bl_status open_with_seed(bl_call *call, const char *key, bl_signal **signal) {
+    const char *text = (*signal)->text;
+    char setting[64], *seeded = NULL;
+    snprintf(setting, sizeof setting, "%s=", key);
+    const char *after = strchr(text, ':');
+    if (after && strstr(after, setting))
         return BL_OK;
-    bl_signal *seeded = bl_signal_reseed(*signal, call->common.seed);
-    if (!seeded)
-        return bl_report(&call->message, BL_MISMATCH, "--seed: '%s' has no seed; leave it out",
-                         call->operands.words[0]);
+    if (asprintf(&seeded, "%s%c%s%llu", text, after ? ',' : ':', setting,
+                 (unsigned long long)call->common.seed) < 0)
+        return bl_report(&call->message, BL_DEVICE, "out of memory");
     bl_signal_free(*signal);
-    *signal = seeded;
-    return BL_OK;
+    *signal = NULL;
+    bl_status status = bl_call_open(call, seeded, signal);
+    free(seeded);
+    return status;
+}
+
+bl_status bl_call_open_seeded(bl_call *call, bl_signal **signal) {
+    const char *text = call->operands.words[0];
+    *signal = NULL;
+    bl_status status = bl_call_open(call, text, signal);
+    if (status != BL_OK || !call->common.seed_word)
+        return status;
+    const char *key = seed_key(*signal);
+    if (!key)
+        status =
+            bl_report(&call->message, BL_MISMATCH, "--seed: '%s' has no seed; leave it out", text);
+    if (status == BL_OK)
+        status = check_seed(call, text, key);
+    if (status == BL_OK)
+        status = open_with_seed(call, key, signal);
+    if (status != BL_OK) {
+        bl_signal_free(*signal);
+        *signal = NULL;
+    }
+    return status;
 }
 
 int bl_call_threads(const bl_call *call) {
@@ -38,9 +96,11 @@ void bl_progress(const bl_call *call, const char *format, ...) {
     if (!format)
         return;
     va_list arguments;
+    char line[512];
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    vsnprintf(line, sizeof line, format, arguments);
     va_end(arguments);
+    bl_plain_text(stderr, line);
     fflush(stderr);
 }
 

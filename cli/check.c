@@ -44,7 +44,8 @@ static void report_json(json_t *object, const bl_signal *signal, const bl_psd *p
 static void report_text(bl_call *call, const bl_signal *signal, const bl_psd *psd,
                         const bl_band_limit *limit) {
     FILE *out = call->out;
-    bl_spectral_print(out, signal, psd);
+    const check_settings *settings = call->settings;
+    bl_spectral_print(out, &settings->spectral, signal, psd);
     fprintf(out, "band           %g : %g cycles per unit, guard %.3g\n\n", limit->from, limit->to,
             limit->guard);
     print_db(out, "leak", limit->leak_db);
@@ -55,6 +56,48 @@ static void report_text(bl_call *call, const bl_signal *signal, const bl_psd *ps
     if (limit->verdict == BL_INCONCLUSIVE && limit->needed_averages)
         fprintf(out, "about %zu averages would settle it: --average %zu\n", limit->needed_averages,
                 limit->needed_averages);
+}
+
+// Whether a bin other than that of frequency 0, which holds only what is left of the mean, lies
+// wholly outside of the band and its guard.
+static int has_outside(const bl_psd *psd, const bl_band_limit *limit) {
+    for (size_t i = 1; i < psd->count; i++)
+        if (psd->frequency[i] + psd->width[i] / 2 <= limit->from - limit->guard ||
+            psd->frequency[i] - psd->width[i] / 2 >= limit->to + limit->guard)
+            return 1;
+    return 0;
+}
+
+// A verdict needs a variance, and frequencies on both sides: in the band and outside of it.
+static bl_status judgeable(const bl_psd *psd, const bl_band_limit *limit, bl_message *message) {
+    static const char remedy[] = "sample more finely (--rate; of an image spacing=)";
+    double nyquist = 0.5 * psd->settings.rate;
+    if (!(psd->variance.value > 0))
+        return bl_report(message, BL_MISMATCH,
+                         "the signal is constant: there is no variance to judge");
+    if (limit->from >= nyquist)
+        return bl_report(message, BL_MISMATCH,
+                         "the band %g : %g begins beyond the highest frequency measured, %g cycles "
+                         "per unit; %s, or move --band",
+                         limit->from, limit->to, nyquist, remedy);
+    if (!has_outside(psd, limit))
+        return bl_report(message, BL_MISMATCH,
+                         "nothing is left to judge outside of the band %g : %g with a guard of "
+                         "%.3g: frequencies were measured up to %g cycles per unit; %s, or narrow "
+                         "--band or --guard",
+                         limit->from, limit->to, limit->guard, nyquist, remedy);
+    return BL_OK;
+}
+
+// Finds the verdict and gives it to the user.
+static bl_status judge(bl_call *call, const bl_signal *signal, const bl_psd *psd,
+                       bl_band_limit *limit) {
+    bl_psd_band_limit(psd, limit);
+    if (bl_json_start(call))
+        report_json(call->json, signal, psd, limit);
+    else if (!call->common.quiet)
+        report_text(call, signal, psd, limit);
+    return call->path ? bl_spectral_csv(call, signal, psd) : BL_OK;
 }
 
 static bl_status run_check(bl_call *call) {
@@ -74,13 +117,9 @@ static bl_status run_check(bl_call *call) {
     status = bl_spectral_measure(call, &settings->spectral, signal, &psd);
     if (status == BL_OK) {
         limit.guard = settings->guard >= 0 ? settings->guard : bl_psd_guard(&psd);
-        bl_psd_band_limit(&psd, &limit);
-        if (bl_json_start(call))
-            report_json(call->json, signal, &psd, &limit);
-        else if (!call->common.quiet)
-            report_text(call, signal, &psd, &limit);
-        if (call->path)
-            status = bl_spectral_csv(call->path, signal, &psd, &call->message);
+        status = judgeable(&psd, &limit, &call->message);
+        if (status == BL_OK)
+            status = judge(call, signal, &psd, &limit);
         bl_psd_free(&psd);
     }
     bl_signal_free(signal);
@@ -124,7 +163,9 @@ const bl_verb bl_verb_check = {
     .text =
         "Measures the share of the variance outside of the band. Pass (exit status 0): its "
         "upper confidence limit is below the leak allowed; fail (2): its lower limit is above; "
-        "inconclusive (1): the limits straddle it, and the averages needed are told.",
+        "inconclusive (1): the limits straddle it, and the averages needed are told. Where there "
+        "is nothing to judge, because the signal is constant, or no frequency that was measured "
+        "lies in the band or outside of it and its guard, it is an error (3).",
     .least = 1,
     .most = 1,
     .output = BL_OUTPUT_DATA,

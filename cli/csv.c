@@ -5,6 +5,17 @@
 #include <math.h>
 #include <string.h>
 
+bl_status bl_csv_open(bl_call *call, bl_file *file) {
+    if (strcmp(call->path, "-") != 0)
+        return bl_file_create(call->path, file, &call->message);
+    *file = (bl_file){.stream = call->out};
+    return BL_OK;
+}
+
+bl_status bl_csv_close(bl_call *call, bl_file *file) {
+    return file->path ? bl_file_commit(file, &call->message) : BL_OK;
+}
+
 void bl_csv_comment(FILE *out, const char *name, const char *value) {
     fprintf(out, "# %s: ", name);
     for (; *value; value++)

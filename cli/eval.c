@@ -25,7 +25,7 @@ static void answer(point_reader *reader, const double at[BL_AXES], size_t given)
     float value;
     bl_signal_row(reader->signal, at, step, 1, &value);
     if (!reader->points) {
-        fprintf(reader->call->out, "%.9g\n", (double)value);
+        fprintf(reader->call->out, "%.9g\n", (double)value + 0.0); // -0 is 0
         return;
     }
     json_array_append_new(reader->points, bl_json_numbers(at, given));
@@ -33,19 +33,30 @@ static void answer(point_reader *reader, const double at[BL_AXES], size_t given)
     json_array_append_new(reader->reference, bl_json_number(bl_signal_value(reader->signal, at)));
 }
 
-// Reads one line: up to four numbers with blanks or commas between them; # starts a comment.
+// Reads one line: up to four numbers with blanks or one comma between them; # starts a comment.
 static bl_status read_line(point_reader *reader, char *line) {
+    static const char blanks[] = " \t\r";
     bl_message *message = &reader->call->message;
     double at[BL_AXES] = {0};
     size_t count = 0;
-    char where[48], *rest = NULL;
+    char where[48];
     snprintf(where, sizeof where, "standard input, line %zu", ++reader->line);
     line[strcspn(line, "#")] = '\0';
-    for (char *word = strtok_r(line, " \t\r,;", &rest); word;
-         word = strtok_r(NULL, " \t\r,;", &rest)) {
+    for (char *word = line + strspn(line, blanks), *next; *word; word = next) {
+        size_t length = strcspn(word, " \t\r,");
+        next = word + length + strspn(word + length, blanks);
+        int comma = *next == ',';
+        next += comma;
+        next += strspn(next, blanks);
+        if (length == 0 || (comma && *next == '\0'))
+            return bl_report(message, BL_USAGE,
+                             "%s: a number is missing at a comma; between two numbers stand blanks "
+                             "or one comma",
+                             where);
         if (count == BL_AXES)
             return bl_report(message, BL_USAGE, "%s: more than four numbers; a point is X Y Z W",
                              where);
+        word[length] = '\0';
         bl_status status =
             bl_read_coordinate(word, bl_signal_far(reader->signal), where, &at[count++], message);
         if (status != BL_OK)
@@ -120,10 +131,9 @@ static bl_status read_words(point_reader *reader) {
 
 static bl_status run_eval(bl_call *call) {
     bl_signal *signal;
-    bl_status status = bl_call_open(call, call->operands.words[0], &signal);
+    bl_status status = bl_call_open_seeded(call, &signal);
     if (status != BL_OK)
         return status;
-    status = bl_call_seed_signal(call, &signal);
     point_reader reader = {.call = call, .signal = signal};
     json_t *object = bl_json_start(call);
     if (object) {
@@ -132,8 +142,7 @@ static bl_status run_eval(bl_call *call) {
         json_object_set_new(object, "values", reader.values = json_array());
         json_object_set_new(object, "reference", reader.reference = json_array());
     }
-    if (status == BL_OK)
-        status = call->operands.count > 1 ? read_words(&reader) : read_input(&reader);
+    status = call->operands.count > 1 ? read_words(&reader) : read_input(&reader);
     bl_signal_free(signal);
     return status;
 }
@@ -145,7 +154,7 @@ const bl_verb bl_verb_eval = {
     .text =
         "Prints the value at the point X Y Z W in lattice cells; coordinates left out are 0, "
         "and those that the signal does not have are ignored. Without X, points are read from "
-        "standard input, one a line, numbers with blanks or commas between them, # starting a "
+        "standard input, one a line, numbers with blanks or one comma between them, # starting a "
         "comment; one value is printed for each. A value is the float that rows of samples "
         "hold; with --json the double reference is given too. A place where the signal has no "
         "value prints nan (null in JSON).",

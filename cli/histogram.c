@@ -6,9 +6,9 @@
 
 #include "cli/csv.h"
 #include "cli/json.h"
+#include "cli/plain.h"
 #include "cli/verb.h"
 #include "cli/words.h"
-#include "core/file.h"
 #include "spectra/histogram.h"
 
 typedef struct histogram_options {
@@ -52,10 +52,11 @@ static void report_json(json_t *object, const bl_signal *signal, const bl_histog
     json_object_set_new(object, "quantiles", quantiles);
 }
 
-// At most 32 rows: neighbouring bins are joined.
+// At most 32 rows: neighbouring bins are joined, which the last line says.
 static void print_bars(FILE *out, const bl_histogram *h) {
     enum { WIDTH = 50 };
     size_t join = (h->settings.bins + 31) / 32, most = 1;
+    fputs("     value, from : to      share\n", out);
     for (int pass = 0; pass < 2; pass++)
         for (size_t i = 0; i < h->settings.bins; i += join) {
             size_t end = i + join < h->settings.bins ? i + join : h->settings.bins, sum = 0;
@@ -70,35 +71,40 @@ static void print_bars(FILE *out, const bl_histogram *h) {
                     (double)sum / (double)h->count, length ? "  " : "", length,
                     "##################################################");
         }
+    if (join > 1)
+        fprintf(out, "a row joins %zu of the %zu bins; --json and -o give each\n", join,
+                h->settings.bins);
 }
 
 static void report_text(FILE *out, const bl_signal *signal, const bl_histogram *h) {
-    fprintf(out, "%s: %zu samples\n\n", signal->text, h->count);
-    fprintf(out, "mean      %.6g   %g %% interval %.6g to %.6g\n", h->mean.value,
-            100 * h->settings.level, h->mean.lower, h->mean.upper);
-    fprintf(out, "variance  %.6g   %g %% interval %.6g to %.6g", h->variance.value,
-            100 * h->settings.level, h->variance.lower, h->variance.upper);
+    bl_plain_text(out, signal->text);
+    fprintf(out, ": %zu sample%s\n\nmean      ", h->count, bl_plural(h->count));
+    bl_plain_estimate(out, &h->mean, h->settings.level, 6);
+    fputs("\nvariance  ", out);
+    bl_plain_estimate(out, &h->variance, h->settings.level, 6);
     if (isfinite(signal->facts.variance))
         fprintf(out, "   theory %.6g", signal->facts.variance);
-    fprintf(out, "\nskewness  %.4g\nkurtosis  %.4g (3 for a normal distribution)\n",
-            bl_moments_skewness(&h->moments), bl_moments_kurtosis(&h->moments));
-    fprintf(out, "range     %.6g to %.6g", h->minimum, h->maximum);
+    fputs("\nskewness  ", out);
+    bl_plain_number(out, bl_moments_skewness(&h->moments), 4);
+    fputs("\nkurtosis  ", out);
+    bl_plain_number(out, bl_moments_kurtosis(&h->moments), 4);
+    fprintf(out, " (3 for a normal distribution)\nrange     %.6g to %.6g", h->minimum + 0.0,
+            h->maximum + 0.0);
     if (isfinite(signal->facts.lower) && isfinite(signal->facts.upper))
-        fprintf(out, ", bound %.6g to %.6g", signal->facts.lower, signal->facts.upper);
+        fprintf(out, ", bound %.6g to %.6g", signal->facts.lower + 0.0, signal->facts.upper + 0.0);
     fputs("\nquantiles", out);
     for (size_t i = 0; i < BL_QUANTILES; i++)
-        fprintf(out, " %g: %.4g%s", h->quantile_p[i], h->quantile[i].value,
+        fprintf(out, " %g: %.4g%s", h->quantile_p[i], h->quantile[i].value + 0.0,
                 i + 1 < BL_QUANTILES ? "," : "\n\n");
-    fputs("     value, from : to      share\n", out);
     print_bars(out, h);
     if (h->outside)
-        fprintf(out, "%zu samples lie outside of these bins\n", h->outside);
+        fprintf(out, "%zu sample%s outside of these bins\n", h->outside,
+                h->outside == 1 ? " lies" : "s lie");
 }
 
-static bl_status write_csv(const char *path, const bl_signal *signal, const bl_histogram *h,
-                           bl_message *message) {
+static bl_status write_csv(bl_call *call, const bl_signal *signal, const bl_histogram *h) {
     bl_file file;
-    bl_status status = bl_file_create(path, &file, message);
+    bl_status status = bl_csv_open(call, &file);
     if (status != BL_OK)
         return status;
     char text[160];
@@ -116,7 +122,7 @@ static bl_status write_csv(const char *path, const bl_signal *signal, const bl_h
         fprintf(file.stream, "%zu,", h->counts[i]);
         bl_csv_number(file.stream, (double)h->counts[i] / (double)h->count / width, '\n');
     }
-    return bl_file_commit(&file, message);
+    return bl_csv_close(call, &file);
 }
 
 static bl_status settle(bl_call *call, bl_histogram_settings *settings) {
@@ -153,7 +159,7 @@ static bl_status run_histogram(bl_call *call) {
         else if (!call->common.quiet)
             report_text(call->out, signal, &histogram);
         if (call->path)
-            status = write_csv(call->path, signal, &histogram, &call->message);
+            status = write_csv(call, signal, &histogram);
         bl_histogram_free(&histogram);
     }
     bl_signal_free(signal);

@@ -30,7 +30,7 @@ json_t *bl_json_text(const char *text) {
 }
 
 json_t *bl_json_number(double number) {
-    return isfinite(number) ? json_real(number) : json_null();
+    return isfinite(number) ? json_real(number + 0.0) : json_null();
 }
 
 json_t *bl_json_numbers(const double *numbers, size_t count) {

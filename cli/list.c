@@ -5,7 +5,7 @@
 
 #include "cli/json.h"
 #include "cli/verb.h"
-#include "core/grammar.h"
+#include "cli/words.h"
 #include "reports/experiment.h"
 
 typedef struct list_settings {
@@ -84,7 +84,7 @@ static bl_status run_list(bl_call *call) {
         found |= word && strcmp(word, sections[i].name) == 0;
     }
     known[SECTIONS] = NULL;
-    const char *near = found ? NULL : bl_nearest(word, known);
+    const char *near = found ? NULL : bl_suggest(word, known);
     if (!found)
         return bl_report(&call->message, BL_USAGE,
                          "'%s' is not a list; use noises, filters, textures or figures%s%s%s", word,

@@ -7,9 +7,11 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli/json.h"
+#include "cli/plain.h"
 #include "cli/verb.h"
 #include "core/file.h"
 #include "core/grammar.h"
@@ -64,6 +66,13 @@ static void print_error_json(const bl_call *call, bl_status status) {
     json_decref(object);
 }
 
+// The message may quote any bytes that the user gave.
+static void print_error(const bl_call *call) {
+    fprintf(stderr, "bandlimit%s%s: ", call->verb ? " " : "", call->verb ? call->verb->name : "");
+    bl_plain_text(stderr, call->message.text);
+    fputc('\n', stderr);
+}
+
 // Refuses what cannot be meant, and turns words into values.
 static bl_status settle_common(bl_call *call) {
     bl_common *common = &call->common;
@@ -100,6 +109,46 @@ static int ends_with(const char *text, const char *ending) {
     return length > tail && strcmp(text + length - tail, ending) == 0;
 }
 
+// `-o -` is standard output, which has room for one thing.
+static bl_status settle_standard_output(bl_call *call) {
+    bl_common *common = &call->common;
+    if (!common->output || strcmp(common->output, "-") != 0)
+        return BL_OK;
+    if (call->verb->output == BL_OUTPUT_FOLDER)
+        return bl_report(&call->message, BL_USAGE,
+                         "-o -: only reports and CSV go to standard output; name a file or a "
+                         "folder (what is called '-' is written ./-)");
+    if (call->verb->output == BL_OUTPUT_DATA && common->json)
+        return bl_report(&call->message, BL_USAGE,
+                         "-o - puts CSV and --json an object on standard output; leave one out");
+    if (call->verb->output == BL_OUTPUT_DATA)
+        common->quiet = 1; // the data stand where the report would
+    else
+        common->output = NULL;
+    return BL_OK;
+}
+
+// Whether a file can be written there, asked before an hour of measuring. It is made and removed;
+// what is no plain file is never opened, as that may empty it or end what its reader reads.
+bl_status bl_output_check(const char *path, bl_message *message) {
+    struct stat own, target;
+    int exists = lstat(path, &own) == 0;
+    int folder = stat(path, &target) == 0 && S_ISDIR(target.st_mode);
+    if (strcmp(path, "-") == 0)
+        return BL_OK;
+    if (exists && !S_ISREG(own.st_mode) && !folder) {
+        if (access(path, W_OK) == 0 || errno == ENOENT) // a link to what is to be made
+            return BL_OK;
+        return bl_report(message, BL_DEVICE, "cannot write '%s': %s; check its permissions", path,
+                         strerror(errno));
+    }
+    bl_file file;
+    bl_status status = bl_file_create(path, &file, message);
+    if (status == BL_OK)
+        bl_file_discard(&file);
+    return status;
+}
+
 // Runs the verb with its report going to stdout or to the file of -o.
 static bl_status run_verb(bl_call *call) {
     const char *path = call->common.output;
@@ -107,6 +156,9 @@ static bl_status run_verb(bl_call *call) {
     bl_file file = {0};
     call->out = stdout;
     if (path && (data || call->verb->output == BL_OUTPUT_FOLDER)) {
+        bl_status status = data ? bl_output_check(path, &call->message) : BL_OK;
+        if (status != BL_OK)
+            return status;
         call->path = path;
     } else if (path) {
         bl_status status = bl_file_create(path, &file, &call->message);
@@ -166,6 +218,8 @@ static bl_status run_with(bl_call *call, const bl_option_table *own, int count, 
         status = settle_common(call);
     if (status == BL_OK)
         status = check_operands(call);
+    if (status == BL_OK)
+        status = settle_standard_output(call);
     return status == BL_OK ? run_verb(call) : status;
 }
 
@@ -206,8 +260,7 @@ int main(int count, char **words) {
     bl_message message = call.message;
     bl_status last = finish_stdout(status, &message);
     if (failed)
-        fprintf(stderr, "bandlimit%s%s: %s\n", call.verb ? " " : "",
-                call.verb ? call.verb->name : "", call.message.text);
+        print_error(&call);
     if (last != status) {
         if (!failed)
             fprintf(stderr, "bandlimit: %s\n", message.text);

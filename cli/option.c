@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/words.h"
 #include "core/grammar.h"
 
 int bl_words_add(bl_words *words, const char *word) {
@@ -64,7 +65,7 @@ static bl_status read_choice(const bl_option *option, const char *word, const ch
         strncat(list, i ? ", " : "", sizeof list - strlen(list) - 1);
         strncat(list, option->choices[i], sizeof list - strlen(list) - 1);
     }
-    const char *near = bl_nearest(word, option->choices);
+    const char *near = bl_suggest(word, option->choices);
     return bl_report(message, BL_USAGE, "--%s %s: not one of %s%s%s%s", option->name, word, list,
                      near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
 }
@@ -140,7 +141,7 @@ static bl_status report_unknown(const bl_option_table *tables, const char *word,
     const char *bare = word + strspn(word, "-");
     char name[64] = "";
     strncat(name, bare, strcspn(bare, "=") < 63 ? strcspn(bare, "=") : 63);
-    const char *near = bl_nearest(name, names);
+    const char *near = bl_suggest(name, names);
     return bl_report(message, BL_USAGE, "unknown option '%s'%s%s%s--help lists all", word,
                      near ? "; did you mean '--" : "", near ? near : "", near ? "'? " : "; ");
 }

@@ -7,6 +7,7 @@
 #include <strings.h>
 
 #include "cli/json.h"
+#include "cli/plain.h"
 #include "cli/verb.h"
 #include "cli/words.h"
 #include "core/grid.h"
@@ -15,9 +16,9 @@
 #include "spectra/theory.h"
 
 typedef struct render_settings {
-    uint64_t width, height, bits;
+    uint64_t width, height;
     double scale;
-    const char *at, *normal, *range;
+    const char *at, *normal, *range, *bits;
 } render_settings;
 
 typedef struct slice_view {
@@ -137,14 +138,19 @@ static void report(bl_call *call, const bl_signal *signal, const slice_view *vie
     }
     if (call->common.quiet)
         return;
-    fprintf(call->out, "%s: %zu x %zu pixels, %g units between them, values %.6g to %.6g\n",
-            call->path, view->grid.width, view->grid.height, view->spacing, outcome->minimum,
-            outcome->maximum);
+    bl_plain_text(call->out, call->path);
+    fprintf(call->out, ": %zu x %zu pixels, %g units between them, values ", view->grid.width,
+            view->grid.height, view->spacing);
+    bl_plain_number(call->out, outcome->minimum, 6);
+    fputs(" to ", call->out);
+    bl_plain_number(call->out, outcome->maximum, 6);
+    fputc('\n', call->out);
     if (is_png(call->path))
-        fprintf(call->out, "black is %g, white is %g; %zu values were clipped\n", view->black,
-                view->white, outcome->clipped);
-    if (outcome->finite < count)
-        fprintf(call->out, "%zu pixels have no value\n", count - outcome->finite);
+        fprintf(call->out, "black is %g, white is %g; %zu value%s clipped\n", view->black + 0.0,
+                view->white + 0.0, outcome->clipped, outcome->clipped == 1 ? " was" : "s were");
+    size_t missing = count - outcome->finite;
+    if (missing)
+        fprintf(call->out, "%zu pixel%s no value\n", missing, missing == 1 ? " has" : "s have");
 }
 
 static bl_status write_image(bl_call *call, const bl_signal *signal, const slice_view *view,
@@ -166,10 +172,35 @@ static bl_status write_image(bl_call *call, const bl_signal *signal, const slice
                             .spacing = view->spacing,
                             .black = view->black,
                             .white = view->white,
-                            .bits = (unsigned)settings->bits,
+                            .bits = strcmp(settings->bits, "16") == 0 ? 16 : 8,
                             .attributes = attributes,
                             .attribute_count = sizeof attributes / sizeof *attributes};
     return bl_image_write(call->path, &image, &call->message);
+}
+
+static bl_status check_memory(const bl_grid *grid, double bytes, bl_message *message) {
+    double available = (double)bl_memory_available();
+    if (bytes <= available)
+        return BL_OK;
+    return bl_report(message, BL_MISMATCH,
+                     "an image of %zu x %zu pixels takes %s of memory, and %s are available; use a "
+                     "smaller --width or --height",
+                     grid->width, grid->height, bl_plain_bytes(bytes).text,
+                     bl_plain_bytes(available).text);
+}
+
+// An image of nothing is a mistake in the place that was asked for.
+static bl_status report_nothing(const bl_signal *signal, bl_message *message) {
+    const bl_extent *extent = &signal->extent;
+    if (!extent->size[0] || !extent->size[1])
+        return bl_report(message, BL_MISMATCH,
+                         "'%s' has no value anywhere in this slice; see --at and --scale",
+                         signal->text);
+    return bl_report(message, BL_MISMATCH,
+                     "this slice lies wholly outside of '%s', which spans 0 to %g and 0 to %g "
+                     "units; see --at and --scale",
+                     signal->text, (double)(extent->size[0] - 1) * extent->spacing[0],
+                     (double)(extent->size[1] - 1) * extent->spacing[1]);
 }
 
 static bl_status render(bl_call *call, const bl_signal *signal) {
@@ -179,20 +210,23 @@ static bl_status render(bl_call *call, const bl_signal *signal) {
         return status;
     // The writer holds a second copy at most; 2^30 * 2^30 * 8 fits in a double and not in memory.
     double bytes = 8.0 * (double)view.grid.width * (double)view.grid.height;
-    status = bl_memory_check(bytes, "the image", &call->message);
+    status = check_memory(&view.grid, bytes, &call->message);
     if (status != BL_OK)
         return status;
-    float *values = malloc(view.grid.width * view.grid.height * sizeof *values);
+    size_t count = view.grid.width * view.grid.height;
+    float *values = malloc(count * sizeof *values);
     if (!values)
-        return bl_report(&call->message, BL_DEVICE, "out of memory: the image takes %.0f bytes",
-                         bytes);
+        return bl_report(&call->message, BL_DEVICE, "out of memory: the image takes %s",
+                         bl_plain_bytes(bytes).text);
     bl_progress(call, "rendering %s ...", signal->text);
     bl_grid_fill(signal, &view.grid, bl_call_threads(call), values);
-    status = write_image(call, signal, &view, values);
-    if (status == BL_OK) {
-        image_outcome outcome = look(values, view.grid.width * view.grid.height, &view);
+    image_outcome outcome = look(values, count, &view);
+    if (outcome.finite == 0)
+        status = report_nothing(signal, &call->message);
+    else
+        status = write_image(call, signal, &view, values);
+    if (status == BL_OK)
         report(call, signal, &view, &outcome);
-    }
     free(values);
     return status;
 }
@@ -203,15 +237,17 @@ static bl_status run_render(bl_call *call) {
     bl_signal *signal;
     bl_status status = check_ending(call->path, &call->message);
     if (status == BL_OK)
-        status = bl_call_open(call, call->operands.words[0], &signal);
+        status = bl_output_check(call->path, &call->message);
+    if (status == BL_OK)
+        status = bl_call_open_seeded(call, &signal);
     if (status != BL_OK)
         return status;
-    status = bl_call_seed_signal(call, &signal);
-    if (status == BL_OK)
-        status = render(call, signal);
+    status = render(call, signal);
     bl_signal_free(signal);
     return status;
 }
+
+static const char *const bits[] = {"8", "16", NULL};
 
 #define AT(member) offsetof(render_settings, member)
 static const bl_option options[] = {
@@ -252,12 +288,11 @@ static const bl_option options[] = {
      .value = "LO:HI",
      .help = "PNG: the values of black and white (default: -1:1)"},
     {.name = "bits",
-     .kind = BL_OPTION_UNSIGNED,
+     .kind = BL_OPTION_CHOICE,
      .offset = AT(bits),
-     .value = "8|16",
+     .value = "N",
      .fallback = "8",
-     .minimum = 8,
-     .maximum = 16,
+     .choices = bits,
      .help = "PNG: bits a pixel"},
     {0}};
 #undef AT

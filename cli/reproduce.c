@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "cli/json.h"
+#include "cli/plain.h"
 #include "cli/verb.h"
 #include "reports/experiment.h"
 #include "reports/reproduce.h"
@@ -103,6 +104,26 @@ static void print_claim(FILE *out, const bl_claim *claim, const bl_claim *before
     fprintf(out, "%s%s\n", claim->unit && *claim->unit ? " " : "", claim->unit ? claim->unit : "");
 }
 
+// "claims: 83 hold, 1 is refuted, 2 were not run".
+static void print_counts(FILE *out, const size_t *verdicts) {
+    static const struct {
+        const char *one, *many;
+    } words[] = {[BL_HOLDS] = {"holds", "hold"},
+                 [BL_UNDECIDED] = {"is undecided", "are undecided"},
+                 [BL_REFUTED] = {"is refuted", "are refuted"},
+                 [BL_BROKEN] = {"is broken", "are broken"},
+                 [BL_NOT_RUN] = {"was not run", "were not run"}};
+    const char *between = "";
+    fputs("claims: ", out);
+    for (int v = 0; v <= BL_NOT_RUN; v++)
+        if (verdicts[v]) {
+            fprintf(out, "%s%zu %s", between, verdicts[v],
+                    verdicts[v] == 1 ? words[v].one : words[v].many);
+            between = ", ";
+        }
+    fputs(*between ? "\n" : "none\n", out);
+}
+
 static void report_text(bl_call *call, const bl_reproduction *result) {
     FILE *out = call->out;
     for (size_t f = 0; f < result->count; f++) {
@@ -113,11 +134,10 @@ static void report_text(bl_call *call, const bl_reproduction *result) {
             print_claim(out, &figure->claims[i], i ? &figure->claims[i - 1] : NULL);
         fputc('\n', out);
     }
-    fputs("claims:", out);
-    for (int v = 0; v <= BL_NOT_RUN; v++)
-        if (result->verdicts[v])
-            fprintf(out, " %zu %s;", result->verdicts[v], bl_verdict_word((bl_verdict)v));
-    fprintf(out, " verdict %s\npage: %s\n", bl_call_verdict(call, result->verdict), result->page);
+    print_counts(out, result->verdicts);
+    fprintf(out, "verdict: %s\npage: ", bl_call_verdict(call, result->verdict));
+    bl_plain_text(out, result->page);
+    fputc('\n', out);
 }
 
 static bl_status run_reproduce(bl_call *call) {
@@ -160,7 +180,7 @@ static const bl_option options[] = {{.name = "format",
                                      .value = "FORMAT",
                                      .fallback = "svg",
                                      .choices = formats,
-                                     .help = "pdf leaves a PDF of every plot beside the SVG"},
+                                     .help = "the plots as SVG alone, or with a PDF beside each"},
                                     {0}};
 
 const bl_verb bl_verb_reproduce = {

@@ -6,7 +6,9 @@
 #include <string.h>
 
 #include "cli/json.h"
+#include "cli/plain.h"
 #include "cli/verb.h"
+#include "cli/words.h"
 #include "core/grammar.h"
 #include "reports/experiment.h"
 #include "reports/source.h"
@@ -88,22 +90,31 @@ static void print_fact(FILE *out, const char *name, double number, const char *u
     if (isnan(number))
         fprintf(out, "  %-12s not stated\n", name);
     else
-        fprintf(out, "  %-12s %.9g%s\n", name, number, unit);
+        fprintf(out, "  %-12s %.9g%s\n", name, number + 0.0, unit); // -0 is 0
 }
 
 static void print_facts(FILE *out, const bl_signal *signal) {
     const bl_facts *facts = &signal->facts;
-    fprintf(out, "\nfacts, for %s\n", signal->text);
+    fputs("\nfacts, for ", out);
+    bl_plain_text(out, signal->text);
+    fputc('\n', out);
     if (isfinite(facts->lower) && isfinite(facts->upper))
-        fprintf(out, "  %-12s %.9g to %.9g%s%s\n", "bound", facts->lower, facts->upper,
+        fprintf(out, "  %-12s %.9g to %.9g%s%s\n", "bound", facts->lower + 0.0, facts->upper + 0.0,
                 facts->bound_proof ? "; " : "", facts->bound_proof ? facts->bound_proof : "");
     else
         fprintf(out, "  %-12s not stated\n", "bound");
     print_fact(out, "mean", facts->mean, "");
     print_fact(out, "variance", facts->variance, "");
-    if (isfinite(facts->band_from))
-        fprintf(out, "  %-12s %g : %g cycles per unit, leak %g dB of the variance\n", "band",
-                facts->band_from, facts->band_to, facts->leak_db);
+    if (isfinite(facts->band_from) && isfinite(facts->leak_db))
+        fprintf(out,
+                "  %-12s %g : %g cycles per unit; leak %g dB of the variance, along a line, no "
+                "guard\n",
+                "band", facts->band_from, facts->band_to, facts->leak_db);
+    else if (isfinite(facts->band_from) && facts->variance > 0)
+        fprintf(out, "  %-12s %g : %g cycles per unit; leak %s\n", "band", facts->band_from,
+                facts->band_to, facts->leak_db < 0 ? "none at all" : "not known");
+    else if (isfinite(facts->band_from))
+        fprintf(out, "  %-12s no claim: there is no variance\n", "band");
     else
         fprintf(out, "  %-12s no claim\n", "band");
     fprintf(out, "  %-12s %s\n", "continuity", continuity_word(facts->continuity));
@@ -180,11 +191,12 @@ static bl_status show_file(bl_call *call, const char *text) {
         bl_json_set_numbers(object, "spacing_units", signal->extent.spacing, signal->dimensions);
         facts_json(object, signal);
     } else {
-        fprintf(call->out, "%s: a file of samples\n\ndimensions   %u\n", signal->text,
-                signal->dimensions);
+        bl_plain_text(call->out, signal->text);
+        fprintf(call->out, ": a file of samples\n\ndimensions   %u\n", signal->dimensions);
         for (unsigned a = 0; a < signal->dimensions; a++)
-            fprintf(call->out, "axis %c       %zu samples, %g units between them\n", "xyzw"[a],
-                    signal -> extent.size[a], signal->extent.spacing[a]);
+            fprintf(call->out, "axis %c       %zu sample%s, %g units between them\n", "xyzw"[a],
+                    signal -> extent.size[a], bl_plural(signal->extent.size[a]),
+                    signal->extent.spacing[a]);
     }
     bl_signal_free(signal);
     return BL_OK;
@@ -199,7 +211,7 @@ static bl_status report_unknown(bl_call *call, const char *name) {
         names[i] = bl_noise_at(i, BL_ISA_BASELINE)->name;
     for (size_t i = 0; i < figures; i++)
         names[noises + i] = bl_figure_at(i)->name;
-    const char *near = bl_nearest(name, names);
+    const char *near = bl_suggest(name, names);
     free(names);
     return bl_report(&call->message, BL_USAGE,
                      "no noise, figure or file is called '%s'%s%s%s`bandlimit list` shows all",

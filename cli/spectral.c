@@ -7,36 +7,51 @@
 
 #include "cli/csv.h"
 #include "cli/json.h"
+#include "cli/plain.h"
 #include "cli/words.h"
-#include "core/file.h"
 
 const char *const bl_spectral_places[] = {"random", "lattice", NULL};
+
+static int on_grid(const bl_signal *signal) {
+    return signal->extent.size[0] != 0;
+}
 
 // An image has the averages that it has.
 static size_t averages_of(const bl_call *call, const bl_signal *signal, unsigned dims) {
     static const size_t normal[] = {256, 16, 8};
-    size_t count = signal->extent.size[0] ? 0 : normal[dims - 1];
+    size_t count = on_grid(signal) ? 0 : normal[dims - 1];
     return call->common.quick ? count / 4 : call->common.full ? count * 16 : 0;
+}
+
+bl_status bl_spectral_settings(bl_call *call, const bl_spectral *options, const bl_signal *signal,
+                               bl_psd_settings *settings) {
+    unsigned dims = (unsigned)options->dims;
+    bl_status status = BL_OK;
+    *settings = bl_psd_default_settings(dims);
+    settings->rate = options->rate;
+    settings->size = options->size;
+    settings->averages = options->averages ? options->averages : averages_of(call, signal, dims);
+    settings->level = options->level;
+    settings->threads = bl_call_threads(call);
+    if (call->common.seed_word)
+        settings->seed = call->common.seed;
+    if (options->place && on_grid(signal))
+        return bl_report(&call->message, BL_MISMATCH,
+                         "--place %s: '%s' is measured on its own samples; leave --place out",
+                         options->place, signal->text);
+    if (options->place && strcmp(options->place, "lattice") == 0)
+        settings->place = BL_PLACE_LATTICE;
+    if (options->window)
+        status = bl_window_read(options->window, &settings->window, &call->message);
+    if (status == BL_OK && options->axis)
+        status = bl_read_axis("axis", options->axis, settings->axis, &call->message);
+    return status;
 }
 
 bl_status bl_spectral_measure(bl_call *call, const bl_spectral *options, const bl_signal *signal,
                               bl_psd *psd) {
-    unsigned dims = (unsigned)options->dims;
-    bl_psd_settings settings = bl_psd_default_settings(dims);
-    bl_status status = BL_OK;
-    settings.rate = options->rate;
-    settings.size = options->size;
-    settings.averages = options->averages ? options->averages : averages_of(call, signal, dims);
-    settings.level = options->level;
-    settings.threads = bl_call_threads(call);
-    if (call->common.seed_word)
-        settings.seed = call->common.seed;
-    if (strcmp(options->place, "lattice") == 0)
-        settings.place = BL_PLACE_LATTICE;
-    if (options->window)
-        status = bl_window_read(options->window, &settings.window, &call->message);
-    if (status == BL_OK && options->axis)
-        status = bl_read_axis("axis", options->axis, settings.axis, &call->message);
+    bl_psd_settings settings;
+    bl_status status = bl_spectral_settings(call, options, signal, &settings);
     if (status != BL_OK)
         return status;
     bl_progress(call, "measuring %s ...", signal->text);
@@ -59,8 +74,8 @@ double bl_spectral_dof(const bl_psd *psd) {
     return median;
 }
 
-static const char *place_word(const bl_psd *psd) {
-    return bl_spectral_places[psd->settings.place == BL_PLACE_LATTICE];
+static const char *place_word(const bl_signal *signal, const bl_psd *psd) {
+    return on_grid(signal) ? "grid" : bl_spectral_places[psd->settings.place == BL_PLACE_LATTICE];
 }
 
 void bl_spectral_json(json_t *object, const bl_signal *signal, const bl_psd *psd) {
@@ -69,7 +84,7 @@ void bl_spectral_json(json_t *object, const bl_signal *signal, const bl_psd *psd
     bl_json_set_count(object, "dims", used->dims);
     if (used->dims < 3)
         bl_json_set_numbers(object, "axis", used->axis, 3);
-    bl_json_set_text(object, "place", place_word(psd));
+    bl_json_set_text(object, "place", place_word(signal, psd));
     bl_json_set_number(object, "rate", used->rate);
     bl_json_set_count(object, "size", used->size);
     bl_json_set_count(object, "averages", used->averages);
@@ -111,7 +126,7 @@ static void write_head(FILE *out, const bl_signal *signal, const bl_psd *psd) {
         "dims %u, axis %.9g %.9g %.9g, rate %.9g, size %zu, averages %zu, window %s, place %s, "
         "seed %llu, level %g",
         used->dims, used->axis[0], used->axis[1], used->axis[2], used->rate, used->size,
-        used->averages, bl_window_name(used->window), place_word(psd),
+        used->averages, bl_window_name(used->window), place_word(signal, psd),
         (unsigned long long)used->seed, used->level);
     bl_csv_comment(out, "settings", text);
     snprintf(text, sizeof text, "%.9g, from %.9g to %.9g; parseval residual %.3g",
@@ -122,10 +137,9 @@ static void write_head(FILE *out, const bl_signal *signal, const bl_psd *psd) {
                    "unit)^dims, one-sided for dims 1");
 }
 
-bl_status bl_spectral_csv(const char *path, const bl_signal *signal, const bl_psd *psd,
-                          bl_message *message) {
+bl_status bl_spectral_csv(bl_call *call, const bl_signal *signal, const bl_psd *psd) {
     bl_file file;
-    bl_status status = bl_file_create(path, &file, message);
+    bl_status status = bl_csv_open(call, &file);
     if (status != BL_OK)
         return status;
     write_head(file.stream, signal, psd);
@@ -141,32 +155,73 @@ bl_status bl_spectral_csv(const char *path, const bl_signal *signal, const bl_ps
         if (psd->anisotropy_db)
             bl_csv_number(file.stream, psd->anisotropy_db[i], '\n');
     }
-    return bl_file_commit(&file, message);
+    return bl_csv_close(call, &file);
 }
 
-void bl_spectral_print(FILE *out, const bl_signal *signal, const bl_psd *psd) {
-    static const char *const shapes[] = {"along a line in direction", "in slices with normal",
-                                         "in volumes"};
-    const bl_psd_settings *used = &psd->settings;
+// What of an image was measured: ", all 32 rows of the image", ", 3 tiles of the image".
+static void print_pieces(FILE *out, const bl_signal *signal, const bl_psd_settings *used) {
+    const size_t *size = signal->extent.size;
+    int along = used->axis[0] != 0 ? 0 : 1; // of an image a line follows x or y
+    size_t lines = size[1 - along] ? size[1 - along] : 1;
+    const char *word = along == 0 ? "row" : "column", *plural = bl_plural(used->averages);
+    if (used->dims == 1 && used->size == size[along] && used->averages == lines)
+        fprintf(out, ", all %zu %s%s of the image\n", lines, word, bl_plural(lines));
+    else if (used->dims == 1 && used->size == size[along])
+        fprintf(out, ", %zu of the %zu %s%s of the image\n", used->averages, lines, word,
+                bl_plural(lines));
+    else if (used->dims == 1)
+        fprintf(out, ", %zu segment%s of the %ss of the image\n", used->averages, plural, word);
+    else
+        fprintf(out, ", %zu tile%s that span%s the image\n", used->averages, plural,
+                used->averages == 1 ? "s" : "");
+}
+
+static size_t find_peak(const bl_psd *psd) {
     size_t peak = 0;
     for (size_t i = 1; i < psd->count; i++)
         if (!(psd->psd[i] <= psd->psd[peak]))
             peak = i;
-    fprintf(out, "%s %s", signal->text, shapes[used->dims - 1]);
+    return peak;
+}
+
+// How it was sampled, in the first two lines, and a third if fewer averages exist than are wanted.
+static void print_settings(FILE *out, const bl_spectral *options, const bl_signal *signal,
+                           const bl_psd *psd) {
+    static const char *const shapes[] = {"along a line in direction", "in slices with normal",
+                                         "in volumes"};
+    const bl_psd_settings *used = &psd->settings;
+    bl_plain_text(out, signal->text);
+    fprintf(out, " %s", shapes[used->dims - 1]);
     if (used->dims < 3)
         fprintf(out, " (%g, %g, %g)", used->axis[0], used->axis[1], used->axis[2]);
-    fprintf(out, ", %s places\n", place_word(psd));
+    if (on_grid(signal))
+        print_pieces(out, signal, used);
+    else
+        fprintf(out, ", %s places\n", place_word(signal, psd));
+    double dof = bl_spectral_dof(psd);
     fprintf(out,
-            "%zu samples an axis, %g per unit; %zu averages; %s window; %.3g degrees of "
-            "freedom a bin\n\n",
-            used->size, used->rate, used->averages, bl_window_name(used->window),
-            bl_spectral_dof(psd));
-    fprintf(out, "variance       %.6g   %g %% interval %.6g to %.6g", psd->variance.value,
-            100 * used->level, psd->variance.lower, psd->variance.upper);
+            "%zu samples an axis, %g per unit: up to %g cycles per unit (Nyquist)\n"
+            "%zu average%s; %s window; %.*f degrees of freedom a bin\n",
+            used->size, used->rate, 0.5 * used->rate, used->averages, bl_plural(used->averages),
+            bl_window_name(used->window), dof < 100, dof);
+    if (options->averages > used->averages)
+        fprintf(out, "--average %llu is more than there is: the image has %zu\n",
+                (unsigned long long)options->averages, used->averages);
+}
+
+void bl_spectral_print(FILE *out, const bl_spectral *options, const bl_signal *signal,
+                       const bl_psd *psd) {
+    static const char *const units[] = {"", "^2", "^3"};
+    print_settings(out, options, signal, psd);
+    fputs("\nvariance       ", out);
+    bl_plain_estimate(out, &psd->variance, psd->settings.level, 6);
     if (isfinite(psd->variance_theory))
         fprintf(out, "   theory %.6g", psd->variance_theory);
-    if (psd->count)
-        fprintf(out, "\npeak           %.4g cycles per unit, PSD %.4g", psd->frequency[peak],
-                psd->psd[peak]);
-    fprintf(out, "\nParseval       residual %.2g\n", psd->parseval_residual);
+    size_t peak = find_peak(psd);
+    if (psd->count && psd->psd[peak] > 0)
+        fprintf(out, "\npeak           %.4g cycles per unit, PSD %.4g per (cycle per unit)%s",
+                psd->frequency[peak], psd->psd[peak], units[psd->settings.dims - 1]);
+    fputs("\nParseval       residual ", out);
+    bl_plain_number(out, psd->parseval_residual, 2);
+    fputc('\n', out);
 }

@@ -35,13 +35,13 @@ typedef struct bl_spectral {
     {.name = "average", .kind = BL_OPTION_UNSIGNED, .offset = BL_SPECTRAL_AT(type, averages),      \
      .value = "K", .minimum = 2, .maximum = 1e7,                                                   \
      .help = "independent places to average over (default: 256, 16, 8 by dims; a quarter with "    \
-             "--quick, sixteen times with --full)"},                                               \
+             "--quick, sixteen times with --full; of an image at most what it has)"},              \
     {.name = "window", .kind = BL_OPTION_WORD, .offset = BL_SPECTRAL_AT(type, window),             \
      .value = "NAME",                                                                              \
-     .help = "blackman-harris, hann or rectangle (default: blackman-harris)"},                     \
+     .help = "taper: blackman-harris, hann or rectangle (default: blackman-harris)"},              \
     {.name = "place", .kind = BL_OPTION_CHOICE, .offset = BL_SPECTRAL_AT(type, place),             \
-     .value = "PLACE", .fallback = "random", .choices = bl_spectral_places,                        \
-     .help = "where lines and slices lie: anywhere, or on lattice edges and planes"},              \
+     .value = "PLACE", .choices = bl_spectral_places,                                              \
+     .help = "where lines and slices lie: anywhere (the default), or on lattice edges and planes"},\
     {.name = "level", .kind = BL_OPTION_REAL, .offset = BL_SPECTRAL_AT(type, level),               \
      .value = "P", .fallback = "0.95", .minimum = 0.5, .maximum = 0.999999,                        \
      .help = "confidence level of the intervals"}
@@ -49,7 +49,12 @@ typedef struct bl_spectral {
 
 extern const char *const bl_spectral_places[];
 
-// Turns the options into settings of the library and measures.
+// Turns the options into settings of the library. Errors: BL_USAGE for a value that cannot be read,
+// BL_MISMATCH for a place where the signal has its own.
+bl_status bl_spectral_settings(bl_call *call, const bl_spectral *options, const bl_signal *signal,
+                               bl_psd_settings *settings);
+
+// Turns the options into settings and measures.
 bl_status bl_spectral_measure(bl_call *call, const bl_spectral *options, const bl_signal *signal,
                               bl_psd *psd);
 
@@ -57,11 +62,11 @@ bl_status bl_spectral_measure(bl_call *call, const bl_spectral *options, const b
 void bl_spectral_json(json_t *object, const bl_signal *signal, const bl_psd *psd);
 
 // Writes the data file: comments, one header line, one row a frequency.
-bl_status bl_spectral_csv(const char *path, const bl_signal *signal, const bl_psd *psd,
-                          bl_message *message);
+bl_status bl_spectral_csv(bl_call *call, const bl_signal *signal, const bl_psd *psd);
 
 // Prints what was measured and how: the first lines of a report.
-void bl_spectral_print(FILE *out, const bl_signal *signal, const bl_psd *psd);
+void bl_spectral_print(FILE *out, const bl_spectral *options, const bl_signal *signal,
+                       const bl_psd *psd);
 
 // The degrees of freedom of the median bin.
 double bl_spectral_dof(const bl_psd *psd);

@@ -3,7 +3,10 @@
 
 #include <string.h>
 
+#include "cli/words.h"
 #include "core/grammar.h"
+#include "reports/experiment.h"
+#include "reports/source.h"
 
 #define BL_VERB(stem) extern const bl_verb bl_verb_##stem;
 #include "cli/verbs.def"
@@ -30,13 +33,14 @@ const bl_option bl_common_options[] = {
      .letter = 'o',
      .offset = AT(output),
      .value = "PATH",
-     .help = "write to PATH: the report, or what the verb's help says"},
+     .help = "write to PATH: the report, or what the verb's help says; - is standard output, for "
+             "reports and CSV"},
     {.name = "seed",
      .kind = BL_OPTION_WORD,
      .offset = AT(seed_word),
      .value = "N",
      .help = "seed of random places and fresh signals, 0 to 2^64-1 (default: 1); for eval and "
-             "render, of the signal itself"},
+             "render, the seed of the signal (default: what its text says, else 0)"},
     {.name = "threads",
      .kind = BL_OPTION_UNSIGNED,
      .offset = AT(threads),
@@ -87,11 +91,30 @@ const bl_verb *bl_verb_find(const char *name) {
     return NULL;
 }
 
+// A user who types the name of a thing wants it shown.
+static const char *kind_of(const char *name) {
+    bl_spec spec;
+    const char *kind = NULL;
+    if (bl_source_is_file(name))
+        return "a file";
+    if (bl_figure_find(name))
+        return "a figure";
+    if (bl_spec_parse(name, &spec, NULL) != BL_OK)
+        return NULL;
+    if (bl_noise_find(spec.name, BL_ISA_BASELINE))
+        kind = "a noise";
+    bl_spec_free(&spec);
+    return kind;
+}
+
 bl_status bl_verb_report_unknown(const char *name, bl_message *message) {
     const char *names[VERB_COUNT + 1] = {NULL};
     for (size_t i = 0; i < VERB_COUNT; i++)
         names[i] = registry[i]->name;
-    const char *near = bl_nearest(name, names);
+    const char *near = bl_suggest(name, names), *kind = kind_of(name);
+    if (kind)
+        return bl_report(message, BL_USAGE, "'%s' is %s and no verb: try `bandlimit show %s`", name,
+                         kind, name);
     return bl_report(message, BL_USAGE, "unknown verb '%s'%s%s%s`bandlimit help` lists all", name,
                      near ? "; did you mean '" : "", near ? near : "", near ? "'? " : "; ");
 }

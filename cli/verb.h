@@ -37,7 +37,7 @@ typedef struct bl_call {
     bl_words operands; // at least verb->least, at most verb->most
     bl_isa isa;
     int every_isa;    // --isa all
-    const char *path; // of the data file or folder (-o); NULL: none
+    const char *path; // of the data file or folder (-o); NULL: none; "-": data to standard output
     FILE *out;        // the report: stdout, or the file of -o
     json_t *json;     // with --json: the verb's object; NULL until it is made
     bl_message message;
@@ -77,11 +77,15 @@ bl_status bl_verb_report_unknown(const char *name, bl_message *message);
 // Writes the usage line, the text and the options of a verb, or with NULL those of the program.
 void bl_help_print(FILE *out, const bl_verb *verb);
 
+// Whether a file can be written at `path` ('-': standard output); nothing is changed there.
+bl_status bl_output_check(const char *path, bl_message *message);
+
 // Opens the call's signal by its text, for the call's instruction set.
 bl_status bl_call_open(bl_call *call, const char *text, bl_signal **signal);
 
-// With --seed, replaces the signal by one that draws from that seed. The signal stays the caller's.
-bl_status bl_call_seed_signal(bl_call *call, bl_signal **signal);
+// Opens the call's first word with the seed of --seed, if that is given, as a part of its text.
+// Errors: BL_USAGE if the text names another seed, BL_MISMATCH for a signal without one.
+bl_status bl_call_open_seeded(bl_call *call, bl_signal **signal);
 
 // Threads to use: what --threads says, or what OpenMP gives.
 int bl_call_threads(const bl_call *call);

@@ -288,8 +288,8 @@ static inline int bl_row_block_load(bl_row_block *block, double start, double st
     bl_halves shifted;
     // Near numbers are rounded by the sum with `magic` alone; the 1 is room for the shift. The
     // others are above 2^27 - 2^11 > 2^26 in size, so that x and base are multiples of 2^-26, and
-    // 0 <= x - base < 2^10: exact. Its sum with `magic` rounds as that of x would, ties too, because
-    // base is a multiple of 2 * 2^-24.
+    // 0 <= x - base < 2^10: exact. Its sum with `magic` rounds as that of x would, ties too: base
+    // is a multiple of 2 * 2^-24.
     const int near = fmax(fabs(from), fabs(to)) < BL_NEAR - 1;
     const double number = (double)first, magic = shift + BL_NEAR_MAGIC, origin = near ? 0 : base;
     const uint32_t bias = BL_NEAR_BIAS + (near ? (uint32_t)(int64_t)base : 0);

@@ -2,6 +2,9 @@
 //
 // A claim: a sentence that can be measured, its source, what it leads us to expect, what was
 // measured, and the verdict.
+//
+// An extreme of samples, or the largest of several deviations, has no interval: its limits are its
+// value, its level is 0, and it is judged by the value alone.
 #ifndef BL_REPORTS_CLAIM_H
 #define BL_REPORTS_CLAIM_H
 
@@ -21,7 +24,8 @@ typedef struct bl_claim {
     const char *reading;  // what was measured: "along a line at a random place", ...
     const char *unit;     // of expected and measured: "share of the variance", "dB", ""
     double expected_lower, expected_upper; // +-INFINITY for one-sided
-    bl_estimate measured;
+    bl_estimate measured; // level 1: exact; level 0: seen, but without an interval (see below)
+    const char *counted;  // what `measured.samples` counts: "averages"; NULL: not said
     bl_verdict verdict;
 } bl_claim;
 

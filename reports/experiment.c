@@ -10,14 +10,15 @@
 #include <string.h>
 #include <time.h>
 
-#include "core/file.h"
 #include "core/version.h"
+#include "reports/output.h"
 
 struct bl_run {
     const bl_reproduce_settings *settings;
     size_t done, total;
     bl_figure_result result;
-    bl_run_note *notes, *plots;
+    bl_run_note *notes;
+    bl_run_picture *plots;
     size_t note_count, plot_count;
     char **texts; // every string that a service copied
     size_t text_count;
@@ -48,14 +49,17 @@ static const char *keep(bl_run *run, char *text) {
     return run->texts[run->text_count++] = text;
 }
 
-const char *bl_run_text(bl_run *run, const char *format, ...) {
+const char *bl_run_vtext(bl_run *run, const char *format, va_list arguments) {
     char *text = NULL;
+    return keep(run, vasprintf(&text, format, arguments) < 0 ? NULL : text);
+}
+
+const char *bl_run_text(bl_run *run, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    if (vasprintf(&text, format, arguments) < 0)
-        text = NULL;
+    const char *text = bl_run_vtext(run, format, arguments);
     va_end(arguments);
-    return keep(run, text);
+    return text;
 }
 
 const bl_reproduce_settings *bl_run_settings(const bl_run *run) {
@@ -89,11 +93,6 @@ static void add_file(bl_run *run, const char *name, const char *ending) {
         run->starved = 1;
     else
         result->files[result->file_count++] = file;
-}
-
-static char *path_of(const bl_run *run, const char *name, const char *ending) {
-    char *path = NULL;
-    return asprintf(&path, "%s/%s.%s", run->result.folder, name, ending) < 0 ? NULL : path;
 }
 
 // RFC 4180: quotes only where they are needed, doubled inside.
@@ -140,12 +139,8 @@ static void put_table(FILE *out, const bl_run *run, const char *what, const bl_c
 
 bl_status bl_run_csv(bl_run *run, const char *name, const char *what, const bl_column *columns,
                      size_t column_count, size_t rows, bl_message *message) {
-    char *path = path_of(run, name, "csv");
-    if (!path)
-        return bl_report(message, BL_DEVICE, "out of memory");
     bl_file file;
-    bl_status status = bl_file_create(path, &file, message);
-    free(path);
+    bl_status status = bl_output_create(run->result.folder, name, "csv", &file, message);
     if (status != BL_OK)
         return status;
     put_table(file.stream, run, what, columns, column_count, rows);
@@ -153,6 +148,23 @@ bl_status bl_run_csv(bl_run *run, const char *name, const char *what, const bl_c
     if (status == BL_OK)
         add_file(run, name, "csv");
     return status;
+}
+
+// What the page tells of a plot: its texts, and the legend of the first panel.
+static void keep_picture(bl_run *run, const char *name, const bl_plot *plot,
+                         const char *alternative) {
+    if (!grow(run, &run->plots, run->plot_count, sizeof *run->plots))
+        return;
+    bl_run_picture *kept = &run->plots[run->plot_count++];
+    *kept = (bl_run_picture){.name = keep(run, strdup(name)),
+                             .text = keep(run, strdup(alternative)),
+                             .title = keep(run, strdup(plot->title))};
+    const bl_panel *panel = &plot->panels[0];
+    for (size_t i = 0; i < panel->series_count && kept->key_count < BL_KEYS; i++)
+        if (panel->series[i].label)
+            kept->keys[kept->key_count++] =
+                (bl_run_key){keep(run, strdup(panel->series[i].label)), panel->series[i].stroke,
+                             panel->series[i].ink};
 }
 
 bl_status bl_run_plot(bl_run *run, const char *name, const bl_plot *plot, const char *alternative,
@@ -171,9 +183,7 @@ bl_status bl_run_plot(bl_run *run, const char *name, const bl_plot *plot, const 
     add_file(run, name, "png");
     if (with_pdf)
         add_file(run, name, "pdf");
-    if (grow(run, &run->plots, run->plot_count, sizeof *run->plots))
-        run->plots[run->plot_count++] =
-            (bl_run_note){keep(run, strdup(name)), keep(run, strdup(alternative))};
+    keep_picture(run, name, plot, alternative);
     return BL_OK;
 }
 
@@ -198,7 +208,7 @@ bl_status bl_run_image(bl_run *run, const char *name, const bl_image *image, bl_
     full.attributes = attributes;
     bl_status status = attributes ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
     for (int i = 0; i < 2 && status == BL_OK; i++) {
-        char *path = path_of(run, name, endings[i]);
+        char *path = bl_output_path(run->result.folder, name, endings[i]);
         status = path ? bl_image_write(path, &full, message)
                       : bl_report(message, BL_DEVICE, "out of memory");
         free(path);

@@ -3,15 +3,17 @@
 // The contract of a figure, the registry of all figures, and what a running figure may use.
 //
 // A figure is one file in reports/figures/, which ends with one descriptor, and one line in
-// reports/figures.def. Its run function measures through spectra/ and hands the numbers to the
-// services below, which write data files, plots, images and collect claims. The page, the CLI and
-// the tests pick it up from the registry.
+// reports/figures.def. Its run function measures, through spectra/, and hands the numbers to the
+// services below, which draw, write and judge what they are given and measure nothing. The page,
+// the CLI and the tests pick the figure up from the registry. The signals of a figure are those
+// that its paper shows.
 //
 // All services report into the run's message and return a status; a figure returns the first that
 // is not BL_OK. Texts given to the services are copied, except where it says otherwise.
 #ifndef BL_REPORTS_EXPERIMENT_H
 #define BL_REPORTS_EXPERIMENT_H
 
+#include <stdarg.h>
 #include <stddef.h>
 
 #include "core/status.h"
@@ -22,12 +24,18 @@
 
 typedef struct bl_run bl_run;
 
+// A word that a figure uses in a sense of its own.
+typedef struct bl_term {
+    const char *name, *meaning;
+} bl_term;
+
 typedef struct bl_figure {
     const char *name;     // "peachey-2.37"
     const char *title;    // "Power spectra of six noises"
     const char *question; // the one question it answers
     const char *paper;    // key and place: "peachey2003, fig. 2.37"
     const char *shows;    // a few sentences: what is drawn and how to read it
+    const bl_term *terms; // ended by one without a name; NULL: none
     bl_status (*run)(bl_run *run, bl_message *message);
 } bl_figure;
 
@@ -51,6 +59,8 @@ void bl_run_step(bl_run *run, const char *step);
 
 // A text made by printf that lives as long as the run and its result; "" if out of memory.
 const char *bl_run_text(bl_run *run, const char *format, ...) __attribute__((format(printf, 2, 3)));
+const char *bl_run_vtext(bl_run *run, const char *format, va_list arguments)
+    __attribute__((format(printf, 2, 0)));
 
 // A named setting of the figure, for the page, JSON, the head of every CSV file written later, and
 // the attributes of images. `value` may be made by bl_run_text.
@@ -84,11 +94,27 @@ typedef struct bl_run_note {
     const char *name, *text;
 } bl_run_note;
 
+enum { BL_KEYS = 8 }; // entries of a legend
+
+typedef struct bl_run_key {
+    const char *label;
+    bl_stroke stroke;
+    bl_ink ink;
+} bl_run_key;
+
+typedef struct bl_run_picture {
+    const char *name; // without ending
+    const char *text; // the alternative text
+    const char *title;
+    bl_run_key keys[BL_KEYS];
+    size_t key_count;
+} bl_run_picture;
+
 typedef struct bl_run_view {
     const bl_figure_result *result; // changes until the run is finished
     const bl_run_note *settings;    // name and value
     size_t setting_count;
-    const bl_run_note *plots; // name without ending, and the alternative text
+    const bl_run_picture *plots;
     size_t plot_count;
 } bl_run_view;
 

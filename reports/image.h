@@ -31,8 +31,8 @@ typedef struct bl_image {
 // further curve, so that equal steps of value are equal steps of code; NaN is black there. The
 // attributes, the spacing ("bandlimit:spacing") and for PNG the range are written too where the
 // format has room for them. Errors: BL_USAGE for another ending, an empty image or bits other than
-// 8 and 16; BL_DEVICE for a folder that is missing or full: every byte is written through a bl_file,
-// so a disk that fills half way leaves nothing. Thread-safe for different paths.
+// 8 and 16; BL_DEVICE for a folder that is missing or full: every byte is written through a
+// bl_file, so a disk that fills half way leaves nothing. Thread-safe for different paths.
 bl_status bl_image_write(const char *path, const bl_image *image, bl_message *message);
 
 typedef struct bl_image_source {

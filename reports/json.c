@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/file.h"
 #include "core/version.h"
 #include "reports/experiment.h"
+#include "reports/output.h"
 
 // Infinity and NaN have no JSON: they are null, as "no limit" and "not measured".
 static json_t *number(double value) {
@@ -28,12 +28,14 @@ static json_t *seed_json(uint64_t seed) {
 
 static json_t *claim_json(const bl_claim *claim) {
     const bl_estimate *m = &claim->measured;
-    return json_pack("{s:s, s:s, s:s, s:s, s:[o,o], s:o, s:[o,o], s:o, s:o, s:s}", "claim",
-                     claim->sentence, "source", claim->source, "reading", claim->reading, "unit",
-                     claim->unit, "expected", number(claim->expected_lower),
-                     number(claim->expected_upper), "measured", number(m->value), "interval",
-                     number(m->lower), number(m->upper), "level", number(m->level), "samples",
-                     number(m->samples), "verdict", bl_verdict_word(claim->verdict));
+    int known = m->level > 0; // else no interval was estimated
+    return json_pack(
+        "{s:s, s:s, s:s, s:s, s:[o,o], s:o, s:[o,o], s:o, s:o, s:s, s:s}", "claim", claim->sentence,
+        "source", claim->source, "reading", claim->reading, "unit", claim->unit, "expected",
+        number(claim->expected_lower), number(claim->expected_upper), "measured", number(m->value),
+        "interval", number(known ? m->lower : NAN), number(known ? m->upper : NAN), "level",
+        number(known ? m->level : NAN), "samples", number(m->samples), "samples_of",
+        claim->counted ? claim->counted : "", "verdict", bl_verdict_word(claim->verdict));
 }
 
 static json_t *settings_json(const bl_run_view *view) {
@@ -70,20 +72,17 @@ static json_t *figure_json(const bl_run_view *view, const bl_reproduce_settings 
 
 bl_status bl_run_write_json(const bl_run_view *view, const bl_reproduce_settings *settings,
                             bl_message *message) {
-    char *path = NULL;
-    if (asprintf(&path, "%s/%s.json", view->result->folder, view->result->figure->name) < 0)
-        return bl_report(message, BL_DEVICE, "out of memory");
     json_t *json = figure_json(view, settings);
     char *text = json ? json_dumps(json, JSON_INDENT(2) | JSON_REAL_PRECISION(9)) : NULL;
     json_decref(json);
     bl_file file;
-    bl_status status = text ? bl_file_create(path, &file, message)
+    bl_status status = text ? bl_output_create(view->result->folder, view->result->figure->name,
+                                               "json", &file, message)
                             : bl_report(message, BL_DEVICE, "out of memory");
     if (status == BL_OK) {
         fprintf(file.stream, "%s\n", text);
         status = bl_file_commit(&file, message);
     }
     free(text);
-    free(path);
     return status;
 }

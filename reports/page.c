@@ -12,6 +12,7 @@
 
 #include "core/file.h"
 #include "core/version.h"
+#include "reports/output.h"
 
 // Text for an element or for an attribute in double quotes.
 static void put_text(FILE *out, const char *text) {
@@ -56,20 +57,38 @@ static void put_base64(FILE *out, FILE *in) {
     }
 }
 
+// Title and legend as text, for narrow screens, on which the picture scrolls.
+static void put_key(FILE *out, const bl_run_picture *plot) {
+    static const char *const shapes[] = {
+        [BL_STROKE_LINE] = "line", [BL_STROKE_THIN] = "line",     [BL_STROKE_DASHED] = "dash",
+        [BL_STROKE_BAND] = "band", [BL_STROKE_POINTS] = "points",
+    };
+    put_tagged(out, "<p class=\"key\"><b>", plot->title, "</b>");
+    for (size_t i = 0; i < plot->key_count; i++) {
+        const bl_run_key *key = &plot->keys[i];
+        fprintf(out, " <span><i class=\"%s\" style=\"color:%s\"></i>", shapes[key->stroke],
+                bl_ink_colour(key->ink));
+        put_tagged(out, "", key->label, "</span>");
+    }
+    fputs("</p>", out);
+}
+
 // A picture as data: several SVG texts in one page would share their internal names.
-static bl_status put_picture(FILE *out, const char *folder, const bl_run_note *plot,
+static bl_status put_picture(FILE *out, const char *folder, const bl_run_picture *plot,
                              bl_message *message) {
-    char *path = NULL;
-    if (asprintf(&path, "%s/%s.svg", folder, plot->name) < 0)
+    char *path = bl_output_path(folder, plot->name, "svg");
+    if (!path)
         return bl_report(message, BL_DEVICE, "out of memory");
     FILE *in = fopen(path, "r");
     bl_status status =
         in ? BL_OK : bl_report(message, BL_DEVICE, "cannot read '%s': %s", path, strerror(errno));
     if (in) {
-        put_tagged(out, "<figure class=\"plot\"><div class=\"sheet\" tabindex=\"0\"><img alt=\"",
-                   plot->text, "\" src=\"data:image/svg+xml;base64,");
+        fputs("<figure class=\"plot\"><div class=\"sheet\">", out);
+        put_key(out, plot);
+        put_tagged(out, "<div class=\"scroll\" tabindex=\"0\"><img alt=\"", plot->text,
+                   "\" src=\"data:image/svg+xml;base64,");
         put_base64(out, in);
-        put_tagged(out, "\"></div><figcaption>", plot->text, "</figcaption></figure>\n");
+        put_tagged(out, "\"></div></div><figcaption>", plot->text, "</figcaption></figure>\n");
         fclose(in);
     }
     free(path);
@@ -90,6 +109,10 @@ static void put_verdict(FILE *out, bl_verdict verdict) {
             bl_verdict_word(verdict));
 }
 
+static void put_unit(FILE *out, const bl_claim *claim) {
+    put_tagged(out, claim->unit[0] ? " " : "", claim->unit, "");
+}
+
 static void put_expected(FILE *out, const bl_claim *claim) {
     if (isinf(claim->expected_lower) && isinf(claim->expected_upper))
         fputs("any", out);
@@ -99,7 +122,25 @@ static void put_expected(FILE *out, const bl_claim *claim) {
         fprintf(out, "at least %.4g", claim->expected_lower);
     else
         fprintf(out, "%.4g to %.4g", claim->expected_lower, claim->expected_upper);
-    put_tagged(out, " ", claim->unit, "");
+    put_unit(out, claim);
+}
+
+static void put_measured(FILE *out, const bl_claim *claim) {
+    fprintf(out, "%.4g", claim->measured.value);
+    put_unit(out, claim);
+}
+
+static void put_interval(FILE *out, const bl_claim *claim) {
+    const bl_estimate *m = &claim->measured;
+    if (m->level >= 1) {
+        fputs("exact", out);
+    } else if (m->level > 0) {
+        fprintf(out, "%.4g to %.4g", m->lower, m->upper);
+        put_unit(out, claim);
+        fprintf(out, " (%g&nbsp;%%)", 100 * m->level);
+    } else {
+        fputs("not estimated", out);
+    }
 }
 
 static int same_sentence(const bl_claim *a, const bl_claim *b) {
@@ -113,19 +154,16 @@ static void put_claim(FILE *out, const bl_claim *claim, int first) {
                    claim->sentence, "");
         put_tagged(out, " <span>", claim->source, "</span></th></tr>\n");
     }
-    const bl_estimate *m = &claim->measured;
     put_tagged(out, "<tr><td data-label=\"reading\"><span>", claim->reading,
                "</span></td><td data-label=\"expected\"><span>");
     put_expected(out, claim);
-    fprintf(out, "</span></td><td class=\"number\" data-label=\"measured\"><span>%.4g", m->value);
+    fputs("</span></td><td class=\"number\" data-label=\"measured\"><span>", out);
+    put_measured(out, claim);
     fputs("</span></td><td class=\"number\" data-label=\"interval\"><span>", out);
-    if (m->level < 1 && m->level > 0)
-        fprintf(out, "%.4g to %.4g (%g&nbsp;%%)", m->lower, m->upper, 100 * m->level);
-    else if (m->lower < m->upper)
-        fprintf(out, "%.4g to %.4g", m->lower, m->upper);
-    else
-        fputs("exact", out);
-    fprintf(out, "</span></td><td class=\"number\" data-label=\"samples\"><span>%.10g", m->samples);
+    put_interval(out, claim);
+    fprintf(out, "</span></td><td class=\"number\" data-label=\"samples\"><span>%.10g ",
+            claim->measured.samples);
+    put_tagged(out, "", claim->counted ? claim->counted : "", "");
     fputs("</span></td><td data-label=\"verdict\">", out);
     put_verdict(out, claim->verdict);
     fputs("</td></tr>\n", out);
@@ -142,6 +180,15 @@ static void put_claims(FILE *out, const bl_figure_result *result) {
         put_claim(out, &result->claims[i],
                   i == 0 || !same_sentence(&result->claims[i - 1], &result->claims[i]));
     fputs("</tbody></table>\n", out);
+}
+
+static void put_words(FILE *out, const bl_term *words) {
+    fputs("<dl>\n", out);
+    for (; words->name; words++) {
+        put_tagged(out, "<dt>", words->name, "</dt>");
+        put_tagged(out, "<dd>", words->meaning, "</dd>\n");
+    }
+    fputs("</dl>\n", out);
 }
 
 static void put_settings(FILE *out, const bl_run_view *view) {
@@ -177,6 +224,10 @@ static bl_status put_figure(FILE *out, const bl_run_view *view, bl_message *mess
         if (status != BL_OK)
             return status;
     }
+    if (figure->terms) {
+        fputs("<h3>Terms</h3>\n", out);
+        put_words(out, figure->terms);
+    }
     put_claims(out, result);
     put_settings(out, view);
     put_files(out, result);
@@ -202,8 +253,10 @@ static void put_finding(FILE *out, const bl_figure_result *result, size_t from, 
         fputs("<li>", out);
         put_verdict(out, claim->verdict);
         put_tagged(out, " ", claim->reading, ": ");
-        fprintf(out, "%.4g", claim->measured.value);
-        put_tagged(out, " ", claim->unit, ", expected ");
+        put_measured(out, claim);
+        fputs(", interval ", out);
+        put_interval(out, claim);
+        fputs("; expected ", out);
         put_expected(out, claim);
         fputs("</li>\n", out);
     }
@@ -264,6 +317,30 @@ static void put_summary(FILE *out, const bl_run_view *views, size_t count) {
     fputs("</ol></nav>\n", out);
 }
 
+static void put_guide(FILE *out) {
+    static const bl_term words[] = {
+        {"expected",
+         "the range that the sentence leads us to expect; in our own claims it follows "
+         "from theory and the number of samples"},
+        {"interval",
+         "where the true value lies, at the level beside it, by the scatter of the "
+         "samples. Not estimated: the number is an extreme of what was looked at, or "
+         "the largest of several deviations, and more samples may pass it. Exact: "
+         "computed, not sampled"},
+        {"samples",
+         "how many independent things the interval rests on, and of what kind. An "
+         "average of a spectrum is one stretch, slice or volume at a fresh place with a "
+         "fresh seed"},
+        {"verdict",
+         "holds: the whole interval lies in the expected range; undecided: it straddles "
+         "a limit; refuted or broken: it lies outside. Without an interval the value "
+         "alone is judged"},
+        {0}};
+    fputs("<section>\n<h2>How to read the claims</h2>\n", out);
+    put_words(out, words);
+    fputs("</section>\n", out);
+}
+
 static void put_head(FILE *out) {
     fputs(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -285,6 +362,7 @@ bl_status bl_page_write(const char *path, const bl_run_view *views, size_t count
     put_summary(out, views, count);
     fputs("</header>\n<main>\n", out);
     put_findings(out, views, count);
+    put_guide(out);
     for (size_t i = 0; i < count && status == BL_OK; i++)
         status = put_figure(out, &views[i], message);
     fprintf(out, "</main>\n<footer><p>bandlimit %s, size %s, seed %llu", BL_VERSION,

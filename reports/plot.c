@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/file.h"
+#include "reports/output.h"
 
 // Okabe & Ito (2008), "Color universal design".
 static const char *const inks[BL_INK_COUNT] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
@@ -147,6 +147,8 @@ static void put_column(FILE *out, const char *name) {
 
 static void put_series(FILE *out, const bl_series *series) {
     put_text(out, series->file);
+    if (series->skip)
+        fprintf(out, " every ::%zu", series->skip);
     fputs(" using ", out);
     put_column(out, series->x);
     fputc(':', out);
@@ -171,6 +173,7 @@ static void put_series(FILE *out, const bl_series *series) {
 
 enum { SAMPLE = 32, LETTER = 8, LEGEND_GAP = 22, LEGEND_TOP = 48 }; // pixels; LETTER on average
 
+// Title and legend begin at the left, where a narrow screen that scrolls begins to show.
 static double legend_width(const bl_series *series) {
     return series->label ? SAMPLE + 8 + LETTER * (double)strlen(series->label) + LEGEND_GAP : 0;
 }
@@ -197,10 +200,7 @@ static void put_legend_entry(FILE *out, const bl_series *series, const layout *l
 }
 
 static void put_legend(FILE *out, const bl_panel *panel, const layout *l) {
-    double width = -LEGEND_GAP;
-    for (size_t i = 0; i < panel->series_count; i++)
-        width += legend_width(&panel->series[i]);
-    double left = (WIDTH - width) / 2;
+    double left = LEFT;
     for (size_t i = 0; i < panel->series_count; i++) {
         if (panel->series[i].label)
             put_legend_entry(out, &panel->series[i], l, left);
@@ -222,10 +222,13 @@ static void put_margins(FILE *out, const layout *l, size_t index) {
 
 // The texts of the whole page, which stand in the first panel because gnuplot keeps no page.
 static void put_page_texts(FILE *out, const bl_plot *plot, const layout *l) {
-    put_label(out, plot->title, "screen 0.5, screen 1 center offset 0, character -1.2");
+    char corner[80];
+    snprintf(corner, sizeof corner, "screen %.5f, screen 1 left offset 0, character -1.2",
+             (double)LEFT / WIDTH);
+    put_label(out, plot->title, corner);
     if (shows_images(plot) && plot->scale_label) {
         char place[80];
-        snprintf(place, sizeof place, "screen %.5f, screen %.5f left offset 0, character 0.75",
+        snprintf(place, sizeof place, "screen %.5f, screen %.5f left offset 0, character 1.3",
                  1 - (SCALE_RIGHT - 18.0) / WIDTH, 1 - HEAD / l->height);
         put_label(out, plot->scale_label, place);
     }
@@ -284,12 +287,8 @@ static void put_panel(FILE *out, const bl_plot *plot, const layout *l, size_t in
 
 bl_status bl_plot_write(const bl_plot *plot, const char *folder, const char *name, int with_pdf,
                         bl_message *message) {
-    char *path = NULL;
-    if (asprintf(&path, "%s/%s.gp", folder, name) < 0)
-        return bl_report(message, BL_DEVICE, "out of memory");
     bl_file file;
-    bl_status status = bl_file_create(path, &file, message);
-    free(path);
+    bl_status status = bl_output_create(folder, name, "gp", &file, message);
     if (status != BL_OK)
         return status;
     layout l = lay_out(plot);

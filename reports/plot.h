@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Plots: a description of panels in, a gnuplot script out. The style of every figure lives here.
+// Nothing is measured or computed here: a plot shows the columns of the data files it is given.
 //
 // All panels of a plot share their axes, and only the outer ones carry numbers. The palette is that
 // of Okabe and Ito (2008), which colour-blind readers can tell apart; measured lines are blue with
@@ -41,6 +42,7 @@ typedef struct bl_series {
     const char *x, *y; // names of columns
     const char *upper; // of a band; else NULL
     const char *label; // in the legend, which is read off the first panel; NULL: not in it
+    size_t skip;       // rows at the head of the file that are not drawn
 } bl_series;
 
 // A thin marked line across the panels: a limit, a Nyquist frequency, a claimed band.

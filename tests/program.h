@@ -16,7 +16,14 @@ typedef struct bl_streams {
     const char *input;  // text for stdin; NULL: /dev/null
     const char *output; // a path that stdout is opened at; NULL: kept in bl_ran.out
     int close_output;   // stdout is closed
+    size_t most_bytes;  // no file can be longer: writing more fails half way, as on a full disk
+    int as_nobody;      // without root's powers, if the test has them (see bl_can_be_nobody)
 } bl_streams;
+
+enum { BL_NOBODY = 65534 }; // the user and group without rights
+
+// Whether a child may become nobody, or need not: a container can forbid it.
+int bl_can_be_nobody(void);
 
 // Runs with these words, ended by NULL; fails the test if the program cannot be started.
 bl_ran bl_run_words(const bl_streams *streams, const char *const *words);

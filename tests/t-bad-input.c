@@ -190,6 +190,50 @@ static void test_outputs_that_cannot_be_written(void **state) {
     assert_int_equal(bl_test_files(), 0);
 }
 
+// A file system that fills up half way: no file can be longer than this. The program says so,
+// leaves no part of a file, and an earlier file of that name stays as it was.
+static void fill_up(size_t most_bytes, const char *path, const bad_input *bad) {
+    const bl_streams full = {.most_bytes = most_bytes};
+    for (int earlier = 0; earlier < 2; earlier++) {
+        if (earlier)
+            bl_test_write(path, "earlier", 7);
+        expect(&full, bad);
+        char *text = bl_test_read(path);
+        assert_true(earlier ? text && strcmp(text, "earlier") == 0 : !text);
+        free(text);
+        unlink(path);
+        assert_int_equal(bl_test_files(), 0);
+    }
+}
+
+static void test_a_disk_that_fills_up_leaves_nothing(void **state) {
+    (void)state;
+    static const char *const images[] = {"a.png", "a.exr", "a.tif"};
+    for (int i = 0; i < 3; i++) {
+        const char *path = bl_test_path(images[i]);
+        const bad_input bad = {4, "File too large", {"render", "gnoise", "-o", path}};
+        fill_up(4096, path, &bad);
+    }
+    const char *csv = bl_test_path("a.csv"), *json = bl_test_path("a.json");
+    const bad_input table = {
+        4, "File too large", {"spectrum", "gnoise", "--size", "1024", "--average", "2", "-o", csv}};
+    fill_up(6000, csv, &table);
+    const bad_input object = {4, "File too large", {"list", "noises", "--json", "-o", json}};
+    fill_up(100, json, &object);
+}
+
+static void test_figures_on_a_full_disk_leave_no_part(void **state) {
+    (void)state;
+    const char *out = bl_test_path("out");
+    const bl_streams full = {.most_bytes = 4096};
+    const bad_input bad = {
+        4, "File too large", {"reproduce", "peachey-2.35", "--quick", "-o", out}};
+    expect(&full, &bad);
+    char command[512];
+    snprintf(command, sizeof command, "test -z \"$(find '%s' -type f)\" && rm -r '%s'", out, out);
+    assert_int_equal(system(command), 0);
+}
+
 static void test_a_folder_named_like_an_image_is_refused(void **state) {
     (void)state;
     const char *path = bl_test_path("folder.exr");
@@ -205,13 +249,26 @@ static void test_a_folder_named_like_an_image_is_refused(void **state) {
 
 static void test_a_folder_without_permission_is_refused(void **state) {
     (void)state;
-    if (geteuid() == 0)
-        return; // root may write everywhere
-    const char *path = bl_test_path("locked");
-    assert_int_equal(mkdir(path, 0555), 0);
-    const bad_input bad = {4, "ermission", {"list", "-o", bl_test_path("locked/a.txt")}};
-    expect(NULL, &bad);
-    assert_int_equal(rmdir(path), 0);
+    if (!bl_can_be_nobody())
+        skip(); // nothing is closed to root, who may not be another here
+    const bl_streams nobody = {.as_nobody = 1};
+    const char *path = bl_test_path("locked"), *file = bl_test_path("locked/a.txt");
+    const char *image = bl_test_path("locked/a.png");
+    assert_int_equal(mkdir(path, 0777), 0);
+    assert_int_equal(chmod(bl_test_folder(), 0755), 0); // so that only `path` can be the reason
+    assert_int_equal(chmod(path, 0777), 0);
+    bl_ran ran = bl_run_words(&nobody, (const char *const[]){"list", "-o", file, NULL});
+    assert_int_equal(ran.status, 0);
+    bl_ran_free(&ran);
+    assert_int_equal(unlink(file), 0);
+    assert_int_equal(chmod(path, 0555), 0);
+    const bad_input list[] = {
+        {4, "ermission", {"list", "-o", file}},
+        {4, "ermission", {"render", "gnoise", "--width", "8", "-o", image}},
+    };
+    for (size_t i = 0; i < 2; i++)
+        expect(&nobody, &list[i]);
+    assert_int_equal(rmdir(path), 0); // and it is empty
 }
 
 static void test_a_full_standard_output_is_noticed(void **state) {
@@ -295,7 +352,7 @@ static void test_broken_images_are_refused(void **state) {
 static void test_an_image_of_many_parts_needs_one_chosen(void **state) {
     (void)state;
     if (system("command -v oiiotool >/dev/null 2>&1") != 0)
-        return; // nothing here can make such a file
+        skip(); // nothing here can make such a file
     const char *one = bl_test_path("one.exr"), *many = bl_test_path("many.exr");
     bl_ran ran = bl_run_program("render", "gnoise", "--width", "16", "-o", one);
     assert_int_equal(ran.status, 0);
@@ -361,6 +418,8 @@ int main(void) {
         cmocka_unit_test(test_a_bad_line_of_points_is_told_by_its_number),
         cmocka_unit_test(test_a_line_without_end_is_refused),
         cmocka_unit_test(test_outputs_that_cannot_be_written),
+        cmocka_unit_test(test_a_disk_that_fills_up_leaves_nothing),
+        cmocka_unit_test(test_figures_on_a_full_disk_leave_no_part),
         cmocka_unit_test(test_a_folder_named_like_an_image_is_refused),
         cmocka_unit_test(test_a_folder_without_permission_is_refused),
         cmocka_unit_test(test_a_full_standard_output_is_noticed),

@@ -4,6 +4,8 @@
 #include "tests/test.h"
 
 #include <dirent.h>
+#include <signal.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -98,6 +100,32 @@ static void test_a_full_disk_is_noticed(void **state) {
     assert_non_null(strstr(message.text, "No space left"));
 }
 
+// A write that fails long before the end, in a file larger than any buffer, is not forgotten.
+static void test_a_file_that_fills_up_half_way_is_removed(void **state) {
+    (void)state;
+    bl_file file;
+    bl_message message;
+    struct rlimit limit;
+    write_file(path_of("a.csv"), "kept\n");
+    size_t files = files_in_folder();
+    assert_int_equal(bl_file_create(path_of("a.csv"), &file, &message), BL_OK);
+    signal(SIGXFSZ, SIG_IGN);
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &limit), 0);
+    const struct rlimit small = {10000, limit.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    for (int i = 0; i < 100000; i++)
+        fputs("0123456789\n", file.stream);
+    fflush(file.stream);
+    bl_status status = bl_file_commit(&file, &message);
+    setrlimit(RLIMIT_FSIZE, &limit);
+    assert_int_equal(status, BL_DEVICE);
+    assert_non_null(strstr(message.text, "File too large"));
+    char text[32];
+    read_back(path_of("a.csv"), text, sizeof text);
+    assert_string_equal(text, "kept\n");
+    assert_int_equal(files_in_folder(), files);
+}
+
 static void test_folders_are_made_with_their_parents(void **state) {
     (void)state;
     bl_message message;
@@ -126,6 +154,7 @@ int main(void) {
         cmocka_unit_test(test_a_discarded_file_leaves_the_old_one),
         cmocka_unit_test(test_bad_targets_are_refused_with_their_reason),
         cmocka_unit_test(test_a_full_disk_is_noticed),
+        cmocka_unit_test(test_a_file_that_fills_up_half_way_is_removed),
         cmocka_unit_test(test_folders_are_made_with_their_parents),
         cmocka_unit_test(test_temporary_names_differ_and_keep_the_ending),
     };

@@ -13,7 +13,11 @@ static const bl_figure figure = {.name = "example-1",
                                  .paper = "nobody2000, fig. 1",
                                  .shows = "What <b>is</b> drawn."};
 static const bl_run_note settings_notes[] = {{"signal", "gnoise:seed=7<script>"}};
-static const bl_run_note plots[] = {{"drawing", "A line that rises, \"quoted\"."}};
+static const bl_run_picture plots[] = {{.name = "drawing",
+.text = "A line that rises, \"quoted\".",
+.title = "Does it <rise>?",
+.keys = {{"so static const bl_run_note plots[] = {{"drawing", "A line that rises, \"quoted\"."}}; so", BL_STROKE_DASHED, BL_INK_THEORY}},
+.key_count = 1}};
 static char *files[] = {(char *)"drawing.svg", (char *)"data.csv"};
 static const char svg[] = "<svg xmlns=\"http://www.w3.org/2000/svg\"/>";
 

@@ -11,10 +11,10 @@ static const char data[] =
     "0,0,1,0.5\n1,1,2,1.5\n2,,,\n3,1,4,2\n";
 
 static const bl_series series[] = {
-    {BL_STROKE_BAND, BL_INK_MEASURED, "data.csv", "x", "low", "high", "95 % band"},
-    {BL_STROKE_LINE, BL_INK_MEASURED, "data.csv", "x", "y, quoted", NULL, "it's measured"},
-    {BL_STROKE_DASHED, BL_INK_THEORY, "data.csv", "x", "low", NULL, "closed_form^2"},
-    {BL_STROKE_POINTS, BL_INK_SECOND, "data.csv", "x", "high", NULL, NULL}};
+    {BL_STROKE_BAND, BL_INK_MEASURED, "data.csv", "x", "low", "high", "95 % band", 0},
+    {BL_STROKE_LINE, BL_INK_MEASURED, "data.csv", "x", "y, quoted", NULL, "it's measured", 0},
+    {BL_STROKE_DASHED, BL_INK_THEORY, "data.csv", "x", "low", NULL, "closed_form^2", 0},
+    {BL_STROKE_POINTS, BL_INK_SECOND, "data.csv", "x", "high", NULL, NULL, 1}};
 static const bl_panel panels[] = {
     {"first", series, 4, NULL}, {"second's", series, 2, NULL}, {"third", series, 1, NULL}};
 static const bl_limit limits[] = {{1, 1, "Nyquist"}, {0, 0.5, "leak"}};

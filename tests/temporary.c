@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tests/temporary.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <ftw.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -61,6 +65,44 @@ void bl_temporary_write(const char *path, const void *bytes, size_t size) {
     FILE *file = fopen(path, "wb");
     if (!file || fwrite(bytes, 1, size, file) != size || fclose(file) != 0)
         abort();
+}
+
+enum { NOBODY = 65534 };
+
+static int dropped;
+
+// access() asks for the real user, open() for the effective one: both go, the saved one stays.
+int bl_temporary_drop_powers(void) {
+    if (geteuid() != 0)
+        return 1;
+    chmod(bl_temporary_folder(), 0755);
+    dropped = setresuid(NOBODY, NOBODY, 0) == 0;
+    return dropped;
+}
+
+void bl_temporary_take_powers(void) {
+    if (dropped && setresuid(0, 0, 0) != 0)
+        abort();
+    dropped = 0;
+}
+
+void bl_temporary_limit_files(size_t most_bytes) {
+    struct rlimit limit;
+    signal(SIGXFSZ, SIG_IGN);
+    if (getrlimit(RLIMIT_FSIZE, &limit) != 0)
+        abort();
+    limit.rlim_cur = most_bytes ? most_bytes : limit.rlim_max;
+    if (setrlimit(RLIMIT_FSIZE, &limit) != 0)
+        abort();
+}
+
+size_t bl_temporary_files(void) {
+    DIR *directory = opendir(bl_temporary_folder());
+    size_t count = 0;
+    for (struct dirent *entry; directory && (entry = readdir(directory));)
+        count++;
+    closedir(directory);
+    return count - 2; // "." and ".."
 }
 
 int bl_temporary_run(const char *folder, const char *const arguments[]) {

@@ -14,6 +14,15 @@ const char *bl_temporary_path(const char *name);
 char *bl_temporary_read(const char *path, size_t *size);
 // Writes a text to a path.
 void bl_temporary_write(const char *path, const void *bytes, size_t size);
+// Gives root's powers away until bl_temporary_take_powers, for this whole process; true if it now
+// has none. The folder can still be read. Take them back before anything may fail the test.
+int bl_temporary_drop_powers(void);
+void bl_temporary_take_powers(void);
+// Makes every write beyond this many bytes of a file fail with EFBIG, as on a full disk; 0 lifts
+// it.
+void bl_temporary_limit_files(size_t most_bytes);
+// How many files the folder holds, hidden ones too.
+size_t bl_temporary_files(void);
 // Runs a program with its output thrown away; its exit status, or -1. `folder` may be NULL.
 int bl_temporary_run(const char *folder, const char *const arguments[]);
 

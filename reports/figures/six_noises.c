@@ -3,8 +3,6 @@
 
 #include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 #include "noises/noise.h"
 
@@ -13,17 +11,13 @@ const char *const bl_six_names[BL_SIX] = {"vnoise",  "gnoise",  "vgnoise",
 
 bl_status bl_six_open_one(bl_run *run, bl_signal **signal, bl_message *message, const char *format,
                           ...) {
-    char *text = NULL;
     va_list arguments;
     va_start(arguments, format);
-    if (vasprintf(&text, format, arguments) < 0)
-        text = NULL;
+    const char *text = bl_run_vtext(run, format, arguments);
     va_end(arguments);
-    if (!text)
+    if (!*text)
         return bl_report(message, BL_DEVICE, "out of memory");
-    bl_status status = bl_noise_open(text, bl_run_settings(run)->isa, signal, message);
-    free(text);
-    return status;
+    return bl_noise_open(text, bl_run_settings(run)->isa, signal, message);
 }
 
 bl_status bl_six_open(bl_run *run, bl_six *six, bl_message *message) {
@@ -53,11 +47,15 @@ bl_estimate bl_exactly(double value, double samples) {
     return (bl_estimate){value, value, value, 1, samples};
 }
 
+bl_estimate bl_observed(double value, double samples) {
+    return (bl_estimate){value, value, value, 0, samples};
+}
+
 bl_estimate bl_difference(bl_estimate a, bl_estimate b) {
     double value = a.value - b.value;
     return (bl_estimate){value, value - hypot(a.value - a.lower, b.upper - b.value),
                          value + hypot(a.upper - a.value, b.value - b.lower), a.level,
-                         a.samples + b.samples};
+                         fmin(a.samples, b.samples)};
 }
 
 bl_estimate bl_ratio_db(bl_estimate a, bl_estimate b) {
@@ -65,16 +63,18 @@ bl_estimate bl_ratio_db(bl_estimate a, bl_estimate b) {
     double value = db * log(a.value / b.value);
     double below = db * hypot((a.value - a.lower) / a.value, (b.upper - b.value) / b.value);
     double above = db * hypot((a.upper - a.value) / a.value, (b.value - b.lower) / b.value);
-    return (bl_estimate){value, value - below, value + above, a.level, a.samples + b.samples};
+    return (bl_estimate){value, value - below, value + above, a.level, fmin(a.samples, b.samples)};
 }
 
 void bl_six_claim(bl_run *run, const char *source, const char *sentence, const char *reading,
-                  const char *unit, double lower, double upper, bl_estimate measured) {
+                  const char *unit, double lower, double upper, bl_estimate measured,
+                  const char *counted) {
     bl_run_claim(run, &(bl_claim){.sentence = sentence,
                                   .source = source,
                                   .reading = reading,
                                   .unit = unit,
                                   .expected_lower = lower,
                                   .expected_upper = upper,
-                                  .measured = measured});
+                                  .measured = measured,
+                                  .counted = counted});
 }

@@ -27,15 +27,20 @@ void bl_six_close(bl_six *six);
 bl_status bl_six_open_one(bl_run *run, bl_signal **signal, bl_message *message, const char *format,
                           ...) __attribute__((format(printf, 4, 5)));
 
-// A number without an interval: computed, not sampled, or the extreme of all that was looked at.
+// A number that is computed, not sampled: it has no interval because it needs none.
 bl_estimate bl_exactly(double value, double samples);
-// a - b of independent estimates: half widths add in squares.
+// The extreme of all that was looked at, or the largest of several deviations: a number whose
+// interval is not estimated, and that more samples may pass.
+bl_estimate bl_observed(double value, double samples);
+// a - b of independent estimates: half widths add in squares. `samples` is that of the poorer one.
 bl_estimate bl_difference(bl_estimate a, bl_estimate b);
 // 10 log10(a / b) of independent positive estimates, to first order; the level is that of a.
 bl_estimate bl_ratio_db(bl_estimate a, bl_estimate b);
 
-// Makes and keeps a claim; the texts are literals or made by bl_run_text.
+// Makes and keeps a claim; the texts are literals or made by bl_run_text. `counted` says
+// what the samples of the estimate are.
 void bl_six_claim(bl_run *run, const char *source, const char *sentence, const char *reading,
-                  const char *unit, double lower, double upper, bl_estimate measured);
+                  const char *unit, double lower, double upper, bl_estimate measured,
+                  const char *counted);
 
 #endif

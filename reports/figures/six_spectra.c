@@ -26,12 +26,12 @@ static bl_psd_settings settings_of(const bl_run *run, bl_reading reading) {
     case 2:
         s.rate = 8;
         s.size = (size_t)bl_run_pick(run, 128, 256, 512);
-        s.averages = (size_t)bl_run_pick(run, 8, 64, 1024);
+        s.averages = (size_t)bl_run_pick(run, 8, 512, 4096);
         break;
     default:
         s.rate = 4;
         s.size = (size_t)bl_run_pick(run, 32, 64, 128);
-        s.averages = (size_t)bl_run_pick(run, 6, 32, 256);
+        s.averages = (size_t)bl_run_pick(run, 6, 256, 1024);
     }
     return s;
 }
@@ -41,9 +41,11 @@ static void note_settings(bl_run *run, bl_reading reading, const bl_psd_settings
     bl_run_setting(run, bl_run_text(run, "spectrum %s", bl_reading_words[reading]),
                    bl_run_text(run,
                                "%zu averages of %zu%s samples, %g a cell, %s window; a fresh place "
-                               "and a fresh seed for each; %g %% bands",
+                               "and a fresh seed for each; %g %% bands; a line in the "
+                               "spectrum spreads over +-%.3g cycles per cell",
                                s->averages, s->size, shapes[s->dims], s->rate,
-                               bl_window_name(s->window), 100 * s->level));
+                               bl_window_name(s->window), 100 * s->level,
+                               bl_window_half_lobe(s->window) * s->rate / (double)s->size));
 }
 
 bl_status bl_six_spectra_measure(bl_run *run, const bl_six *six, bl_six_spectra *spectra,

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "cli/plain.h"
+
+#include <math.h>
+
+// Bytes of the UTF-8 letter at `at` if a terminal only shows it; 0 for a control character (C0,
+// delete, C1) and for what is not UTF-8.
+static size_t letter_length(const unsigned char *at) {
+    if (at[0] < 0x80)
+        return at[0] >= 0x20 && at[0] != 0x7f;
+    size_t length = at[0] < 0xc2 ? 0 : at[0] < 0xe0 ? 2 : at[0] < 0xf0 ? 3 : at[0] < 0xf5 ? 4 : 0;
+    for (size_t i = 1; i < length; i++)
+        if ((at[i] & 0xc0) != 0x80) // the zero at the end of the text too, so nothing is overrun
+            return 0;
+    return at[0] == 0xc2 && at[1] < 0xa0 ? 0 : length;
+}
+
+void bl_plain_text(FILE *out, const char *text) {
+    for (const unsigned char *at = (const unsigned char *)text; *at;) {
+        size_t length = letter_length(at);
+        if (length)
+            fwrite(at, 1, length, out);
+        else
+            fprintf(out, "\\x%02x", *at);
+        at += length ? length : 1;
+    }
+}
+
+void bl_plain_number(FILE *out, double number, int digits) {
+    if (isfinite(number))
+        fprintf(out, "%.*g", digits, number + 0.0); // -0 + 0 is 0
+    else
+        fputs("not known", out);
+}
+
+void bl_plain_estimate(FILE *out, const bl_estimate *estimate, double level, int digits) {
+    bl_plain_number(out, estimate->value, digits);
+    if (!isfinite(estimate->lower) || !isfinite(estimate->upper))
+        return;
+    fprintf(out, "   %g %% interval ", 100 * level);
+    bl_plain_number(out, estimate->lower, digits);
+    fputs(" to ", out);
+    bl_plain_number(out, estimate->upper, digits);
+}
+
+bl_plain_size bl_plain_bytes(double bytes) {
+    static const char *const units[] = {"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};
+    size_t last = sizeof units / sizeof *units - 1, unit = 0;
+    bl_plain_size size;
+    for (; bytes >= 1000 && unit < last; unit++)
+        bytes /= 1000;
+    snprintf(size.text, sizeof size.text, "%.*f %s", unit > 0, bytes, units[unit]);
+    return size;
+}
+
+const char *bl_plural(size_t count) {
+    return count == 1 ? "" : "s";
+}

@@ -1,0 +1,462 @@
+// SPDX-License-Identifier: MIT
+//
+// What a descriptor states in numbers is true, neither too much nor too little: the continuity
+// class, the period, the coordinate where precision ends, the mean, the variance. Walks the
+// registry with every choice of every key.
+//
+// Error rates. A true noise fails each of the tests of mean, of variance and of stationarity with
+// probability 1e-6, for all its settings together. Their unit is a batch of one fresh seed: the
+// batches are independent whatever happens within one, and the means of a thousand of them are
+// normal, as the central limit theorem has it.
+#include "tests/test.h"
+
+#include "core/random.h"
+#include "core/statistics.h"
+#include "noises/noise.h"
+
+#define ERROR_RATE 1e-6
+
+// --- the settings -------------------------------------------------------------------------------
+
+enum { MOST_TEXTS = 256 };
+
+typedef struct texts {
+    char text[MOST_TEXTS][96];
+    size_t count;
+} texts;
+
+static void add_text(texts *list, const char *name, const char *key, const char *value) {
+    assert_true(list->count < MOST_TEXTS);
+    snprintf(list->text[list->count++], sizeof list->text[0], key ? "%s:%s=%s" : "%s", name, key,
+             value);
+}
+
+static void add_settings(texts *list, const char *name, const bl_parameter *parameter) {
+    char value[64];
+    for (const char *const *choice = parameter->choices; parameter->kind == BL_CHOICE && *choice;
+         choice++) {
+        const char *colon = strchr(*choice, ':');
+        snprintf(value, sizeof value, "%s", *choice);
+        if (colon)
+            snprintf(value, sizeof value, "%.*s:%.0f", (int)(colon - *choice), *choice,
+                     fmax(100, parameter->minimum));
+        add_text(list, name, parameter->key, value);
+    }
+    for (int end = 0; end < 2 && parameter->kind != BL_CHOICE && parameter->kind != BL_SEED;
+         end++) {
+        snprintf(value, sizeof value, "%.17g", end ? parameter->maximum : parameter->minimum);
+        add_text(list, name, parameter->key, value);
+    }
+}
+
+// Every noise with its defaults, with each choice and the ends of each range of each key, and some
+// settings that depend on two keys.
+static texts *all_texts(void) {
+    static texts list;
+    if (list.count)
+        return &list;
+    for (size_t i = 0; i < bl_noise_count(); i++) {
+        const bl_noise *noise = bl_noise_at(i, BL_ISA_BEST);
+        add_text(&list, noise->name, NULL, NULL);
+        for (const bl_parameter *p = noise->parameters; p->key; p++)
+            add_settings(&list, noise->name, p);
+    }
+    add_text(&list, "gnoise", "fade", "quintic,gradients=edges,lattice=perm256");
+    add_text(&list, "vgnoise", "interp", "bspline3,fade=quintic");
+    add_text(&list, "vgnoise", "interp", "bspline3,fade=linear,gradients=rejection");
+    add_text(&list, "scnoise", "impulses", "1,kernel=table:100,lattice=perm256");
+    return &list;
+}
+
+static bl_signal *open_signal(const char *text) {
+    bl_signal *signal = NULL;
+    bl_message message = {""};
+    if (bl_noise_open(text, BL_ISA_BEST, &signal, &message) != BL_OK)
+        fail_msg("%s: %s", text, message.text);
+    return signal;
+}
+
+// --- continuity ---------------------------------------------------------------------------------
+//
+// On a line of samples h apart, the difference of order k+1 divided by h^k is of size h times the
+// derivative of order k+1 where there is one, and of the size of the jump where the derivative of
+// order k jumps. From 8 h to h the largest of a line shrinks to an eighth, or stays. On ten times
+// as many lines as here it shrank to 0.23 at most, or stayed above 0.48; the limit is the root of
+// 1/8.
+
+enum { FINER = 8, ORDERS = 4, LONG = 4096, SHORT = 512 };
+
+static double largest_difference(const double *value, size_t count, size_t stride, unsigned order) {
+    static const double binomial[ORDERS][ORDERS + 1] = {
+        {-1, 1}, {1, -2, 1}, {-1, 3, -3, 1}, {1, -4, 6, -4, 1}};
+    double largest = 0;
+    for (size_t i = 0; i + (order + 1) * stride < count; i++) {
+        double difference = 0;
+        for (unsigned k = 0; k <= order + 1; k++)
+            difference += binomial[order][k] * value[i + k * stride];
+        largest = fmax(largest, fabs(difference));
+    }
+    return largest / pow((double)stride, order);
+}
+
+// Whether the derivative of this order jumps somewhere on the line.
+static int jumps(const double *value, size_t count, unsigned order) {
+    return !(largest_difference(value, count, FINER, order) >
+             sqrt(FINER) * largest_difference(value, count, 1, order));
+}
+
+// A line along an axis at a random place across, or an oblique one for axis 3, with steps of h or
+// about it. It begins at a multiple of h, so that the steps are equal.
+static void sample_line(const bl_signal *signal, bl_random *random, unsigned axis, double h,
+                        size_t count, double *value) {
+    double start[BL_AXES], step[BL_AXES] = {0}, at[BL_AXES];
+    for (unsigned a = 0; a < BL_AXES; a++) {
+        start[a] = h * floor((40 * bl_random_unit(random) - 20) / h);
+        if (a == axis || (axis == 3 && a < 3))
+            step[a] = axis == 3 ? h * (floor(16 * bl_random_unit(random)) - 7.5) / 8 : h;
+    }
+    for (size_t i = 0; i < count; i++) {
+        for (int a = 0; a < BL_AXES; a++)
+            at[a] = start[a] + (double)i * step[a];
+        value[i] = bl_signal_value(signal, at);
+    }
+}
+
+// The long line is two cells and crosses faces and knots; the short one is finer than the steps of
+// a table, which a long one cannot tell from a slope.
+static void check_continuity(const bl_signal *signal, unsigned axis, bl_random *random) {
+    static double fine[SHORT + 1], line[LONG + 1];
+    int stated = signal->facts.continuity;
+    sample_line(signal, random, axis, 0x1p-17, SHORT + 1, fine);
+    if (jumps(fine, SHORT + 1, 0) != (stated < 0))
+        fail_msg("%s: states class %d, and %s", signal->text, stated,
+                 stated < 0 ? "does not jump" : "jumps");
+    if (stated < 0)
+        return;
+    sample_line(signal, random, axis, 0x1p-11, LONG + 1, line);
+    for (int order = 0; order <= stated && order < ORDERS; order++)
+        if (jumps(line, LONG + 1, (unsigned)order))
+            fail_msg("%s: states class %d, and derivative %d jumps on line %u", signal->text,
+                     stated, order, axis);
+    if (axis < 3 && stated + 1 < ORDERS && !jumps(line, LONG + 1, (unsigned)stated + 1))
+        fail_msg("%s: states class %d, and derivative %d does not jump on line %u", signal->text,
+                 stated, stated + 1, axis);
+}
+
+static void test_the_class_of_continuity_is_the_one_stated(void **state) {
+    (void)state;
+    texts *list = all_texts();
+    for (size_t i = 0; i < list->count; i++) {
+        bl_signal *signal = open_signal(list->text[i]);
+        // The lines of a noise stay when another one is registered.
+        uint64_t stream = 0;
+        for (const char *c = list->text[i]; *c; c++)
+            stream = 31 * stream + (unsigned char)*c;
+        bl_random random = bl_random_seed(1, stream);
+        for (unsigned axis = 0; axis < 4; axis++)
+            check_continuity(signal, axis, &random);
+        bl_signal_free(signal);
+    }
+}
+
+// The last double below a face lies in the cell below it: its value and its gradient are blends of
+// other corners than those on the face.
+static void test_hermite_has_one_slope_on_both_sides_of_a_face(void **state) {
+    (void)state;
+    bl_signal *signal = open_signal("hermite:seed=3");
+    bl_random random = bl_random_seed(2, 0);
+    double bend = 0;
+    for (int trial = 0; trial < 300; trial++) {
+        int axis = trial % 3;
+        double on[BL_AXES] = {0}, below[BL_AXES], above[BL_AXES], gradient[3][BL_AXES];
+        for (int a = 0; a < 3; a++) {
+            on[a] = 40 * bl_random_unit(&random) - 20;
+            if (a == axis || (trial / 3 >> a) % 4 == 0) // edges and corners too
+                on[a] = floor(on[a]);
+        }
+        memcpy(below, on, sizeof below);
+        below[axis] = nextafter(on[axis], -INFINITY);
+        assert_near(bl_signal_value(signal, below), bl_signal_value(signal, on), 1e-13);
+        signal->functions->gradient(signal->parameters, below, gradient[0]);
+        signal->functions->gradient(signal->parameters, on, gradient[1]);
+        for (int a = 0; a < 3; a++)
+            assert_near(gradient[0][a], gradient[1][a], 1e-12);
+        // The second derivative jumps: from slopes 2^-20 away on both sides.
+        memcpy(above, on, sizeof above);
+        above[axis] += 0x1p-20;
+        below[axis] = on[axis] - 0x1p-20;
+        signal->functions->gradient(signal->parameters, below, gradient[0]);
+        signal->functions->gradient(signal->parameters, above, gradient[2]);
+        bend = fmax(bend, fabs(gradient[2][axis] - 2 * gradient[1][axis] + gradient[0][axis]));
+    }
+    assert_true(bend > 0x1p-20);
+    bl_signal_free(signal);
+}
+
+// --- the period ---------------------------------------------------------------------------------
+
+enum { PROBES = 24 };
+
+typedef struct probe {
+    double value[PROBES];
+    float points[PROBES], row[3][PROBES];
+} probe;
+
+// The noise at the same places, multiples of 2^-8 near 0, shifted along an axis.
+static probe take_probe(const bl_signal *signal, unsigned axis, double shift) {
+    probe result;
+    double column[BL_AXES][PROBES];
+    bl_random random = bl_random_seed(3, 0);
+    for (unsigned i = 0; i < PROBES; i++) {
+        double at[BL_AXES];
+        for (unsigned a = 0; a < BL_AXES; a++)
+            at[a] = column[a][i] = (double)(int64_t)(bl_random_bits(&random) % 8192) / 256 - 16 +
+                                   (a == axis ? shift : 0);
+        result.value[i] = bl_signal_value(signal, at);
+        if (i % (PROBES / 3) == 0) {
+            unsigned along = i / (PROBES / 3);
+            double step[BL_AXES] = {0};
+            step[along] = 0.375;
+            bl_signal_row(signal, at, step, PROBES, result.row[along]);
+        }
+    }
+    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
+                     PROBES, result.points);
+    return result;
+}
+
+// Equal in nothing, or in everything.
+static int all_differ(const probe *a, const probe *b) {
+    int differ = memcmp(a->value, b->value, sizeof a->value) != 0 &&
+                 memcmp(a->points, b->points, sizeof a->points) != 0;
+    for (int along = 0; along < 3; along++)
+        differ = differ && memcmp(a->row[along], b->row[along], sizeof a->row[along]) != 0;
+    return differ;
+}
+
+static void check_period(const bl_signal *signal, unsigned axis) {
+    static const double primes[] = {2, 3, 5, 7};
+    double period = signal->facts.period;
+    probe here = take_probe(signal, axis, 0), there;
+    for (double times = -1; times <= 1 && period > 0; times += 2) {
+        there = take_probe(signal, axis, times * period);
+        if (memcmp(&here, &there, sizeof here) != 0)
+            fail_msg("%s: no period of %g along %c", signal->text, period, "xyzw"[axis]);
+    }
+    for (int n = 0; n < 4 && period > 0; n++) {
+        there = take_probe(signal, axis, period / primes[n]);
+        if (!all_differ(&here, &there))
+            fail_msg("%s: repeats within its period along %c", signal->text, "xyzw"[axis]);
+    }
+    for (int power = 1; power <= 40 && period == 0; power++) {
+        there = take_probe(signal, axis, ldexp(1, power));
+        if (!all_differ(&here, &there))
+            fail_msg("%s: repeats after 2^%d along %c", signal->text, power, "xyzw"[axis]);
+    }
+}
+
+static void test_the_period_is_the_one_stated(void **state) {
+    (void)state;
+    texts *list = all_texts();
+    for (size_t i = 0; i < list->count; i++) {
+        bl_signal *signal = open_signal(list->text[i]);
+        for (unsigned axis = 0; axis < signal->dimensions; axis++)
+            check_period(signal, axis);
+        bl_signal_free(signal);
+    }
+}
+
+// --- far ----------------------------------------------------------------------------------------
+//
+// facts.far is the coordinate beyond which the fraction within a cell is lost: beyond it the noise
+// is one number all over a cell, and at a quarter of it there still are some.
+
+enum { EIGHTHS = 8 };
+
+// How many different numbers the noise takes at the eighths of the cell that begins at `lower`,
+// as far as a double can tell them: by the reference, by points and by a row.
+static void count_numbers(const bl_signal *signal, unsigned axis, double lower, int numbers[3]) {
+    double start[BL_AXES] = {0.3, -7.6, 11.7, 0.2}, step[BL_AXES] = {0}, column[BL_AXES][EIGHTHS];
+    double seen[3][EIGHTHS];
+    float points[EIGHTHS], row[EIGHTHS];
+    start[axis] = lower;
+    step[axis] = 1.0 / EIGHTHS;
+    for (int a = 0; a < BL_AXES; a++)
+        for (int i = 0; i < EIGHTHS; i++)
+            column[a][i] = start[a] + i * step[a];
+    bl_signal_row(signal, start, step, EIGHTHS, row);
+    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
+                     EIGHTHS, points);
+    for (int way = 0; way < 3; way++)
+        numbers[way] = 0;
+    for (int i = 0; i < EIGHTHS && floor(column[axis][i]) == lower; i++) {
+        const double at[BL_AXES] = {column[0][i], column[1][i], column[2][i], column[3][i]};
+        seen[0][i] = bl_signal_value(signal, at);
+        seen[1][i] = (double)points[i];
+        seen[2][i] = (double)row[i];
+        for (int way = 0; way < 3; way++) {
+            int known = 0;
+            for (int j = 0; j < i; j++)
+                known |= seen[way][j] == seen[way][i];
+            numbers[way] += !known;
+        }
+    }
+}
+
+static void test_the_fraction_ends_where_it_is_stated_to(void **state) {
+    (void)state;
+    static const char *const ways[] = {"the reference", "points", "a row"};
+    static const double scales[] = {0.25, -0.25, 1, 2, -2};
+    texts *list = all_texts();
+    for (size_t i = 0; i < list->count; i++) {
+        bl_signal *signal = open_signal(list->text[i]);
+        for (unsigned axis = 0; axis < signal->dimensions; axis++)
+            for (int s = 0; s < 5; s++) {
+                int numbers[3];
+                double lower = floor(scales[s] * signal->facts.far);
+                count_numbers(signal, axis, lower, numbers);
+                for (int way = 0; way < 3; way++)
+                    if (fabs(scales[s]) < 1 ? numbers[way] < 3 : numbers[way] != 1)
+                        fail_msg(
+                            "%s: states that it loses the fraction at 2^%g; %s has %d numbers "
+                            "in the cell at %c = %g * 2^%g",
+                            list->text[i], log2(signal->facts.far), ways[way], numbers[way],
+                            "xyzw"[axis], scales[s], log2(signal->facts.far));
+            }
+        bl_signal_free(signal);
+    }
+}
+
+// --- mean and variance --------------------------------------------------------------------------
+
+enum { BATCH = 64 };
+
+// The mean of values or of squares over many batches, and its standard error.
+typedef struct batch_means {
+    bl_moments value, square;
+} batch_means;
+
+static double standard_error(const bl_moments *moments) {
+    return sqrt(bl_moments_variance(moments) / moments->n);
+}
+
+// A batch has a fresh seed and 64 places, 8 cells apart or more; at a given place in the cell, or
+// anywhere.
+static void add_batch(const bl_signal *signal, bl_random *random, const double *phase,
+                      batch_means *means) {
+    double column[BL_AXES][BATCH], base[BL_AXES], mean = 0, square = 0;
+    float out[BATCH];
+    bl_signal *fresh = bl_signal_reseed(signal, bl_random_bits(random));
+    assert_non_null(fresh);
+    for (int a = 0; a < BL_AXES; a++)
+        base[a] = floor(2e6 * bl_random_unit(random)) - 1e6;
+    for (int i = 0; i < BATCH; i++)
+        for (int a = 0; a < BL_AXES; a++) {
+            double place = 8 * bl_random_unit(random);
+            column[a][i] = base[a] + 16 * (i >> 2 * a & 3) +
+                           (phase ? floor(place) + (a < 3 ? phase[a] : 0) : place);
+        }
+    bl_signal_points(fresh, (const double *const[]){column[0], column[1], column[2], column[3]},
+                     BATCH, out);
+    for (int i = 0; i < BATCH; i++) {
+        mean += (double)out[i] / BATCH;
+        square += (double)out[i] * (double)out[i] / BATCH;
+    }
+    bl_moments_add(&means->value, mean);
+    bl_moments_add(&means->square, square);
+    bl_signal_free(fresh);
+}
+
+static batch_means measure(const bl_signal *signal, uint64_t stream, const double *phase) {
+    batch_means means = {.value = {.n = 0}};
+    bl_random random = bl_random_seed(4, stream);
+    for (size_t batch = 0; batch < bl_test_scaled(2048, 512); batch++)
+        add_batch(signal, &random, phase, &means);
+    return means;
+}
+
+static void test_mean_and_variance_are_the_ones_stated(void **state) {
+    (void)state;
+    texts *list = all_texts();
+    // Two-sided, one error rate for all the means and one for all the variances.
+    double limit = -bl_normal_quantile(ERROR_RATE / (double)list->count / 2);
+    for (size_t i = 0; i < list->count; i++) {
+        bl_signal *signal = open_signal(list->text[i]);
+        const bl_facts *facts = &signal->facts;
+        batch_means means = measure(signal, i, NULL);
+        double mean = means.value.mean, error = standard_error(&means.value);
+        if (!(fabs(mean - facts->mean) < limit * error))
+            fail_msg("%s: mean %g +- %g, stated %g", list->text[i], mean, error, facts->mean);
+        double square = means.square.mean, expected = facts->variance + facts->mean * facts->mean;
+        error = standard_error(&means.square);
+        if (!isnan(facts->variance) && !(fabs(square - expected) < limit * error))
+            fail_msg("%s: mean square %g +- %g, stated %g", list->text[i], square, error, expected);
+        bl_signal_free(signal);
+    }
+}
+
+// --- stationarity -------------------------------------------------------------------------------
+
+// The sum over the 8 corners of the half cell (vertex, edges, faces, centre) of the squared
+// deviation of the variance there from the one stated, in standard errors: chi-square with 8
+// degrees of freedom for a noise whose variance is the same everywhere.
+static double phase_statistic(const char *text, uint64_t stream) {
+    bl_signal *signal = open_signal(text);
+    double sum = 0;
+    for (unsigned n = 0; n < 8; n++) {
+        const double phase[3] = {(n & 1) / 2.0, (n >> 1 & 1) / 2.0, (n >> 2) / 2.0};
+        batch_means means = measure(signal, stream + n, phase);
+        double deviation = means.square.mean - signal->facts.variance;
+        double error = standard_error(&means.square);
+        sum += deviation * deviation / (error * error); // infinite for gnoise at a vertex
+    }
+    bl_signal_free(signal);
+    return sum;
+}
+
+static void test_scnoise_has_the_same_variance_all_over_the_cell(void **state) {
+    (void)state;
+    static const char *const stationary[] = {"scnoise", "scnoise:impulses=1", "scnoise:impulses=8"};
+    double limit = bl_chi_square_quantile(1 - ERROR_RATE / 3, 8);
+    for (unsigned n = 0; n < 3; n++)
+        assert_less(phase_statistic(stationary[n], 1000 + 8 * n), limit);
+}
+
+// The power of the test above: the noises whose variance depends on the place in the cell.
+static void test_lattice_noises_show_their_cell_in_the_variance(void **state) {
+    (void)state;
+    static const char *const cyclic[] = {"vnoise",
+                                         "vnoise:interp=linear",
+                                         "vnoise:interp=bspline2",
+                                         "vnoise:interp=bspline3",
+                                         "gnoise",
+                                         "gnoise:fade=quintic",
+                                         "gnoise:gradients=edges",
+                                         "vgnoise",
+                                         "hermite",
+                                         "vcnoise"};
+    enum { CYCLIC = sizeof cyclic / sizeof *cyclic };
+    double limit = bl_chi_square_quantile(1 - ERROR_RATE / 3, 8);
+    for (unsigned n = 0; n < CYCLIC; n++) {
+        double statistic = phase_statistic(cyclic[n], 2000 + 8 * n);
+        if (!(statistic > 2 * limit))
+            fail_msg("%s: %g is not beyond %g", cyclic[n], statistic, 2 * limit);
+    }
+    bl_signal *signal = open_signal("gnoise");
+    batch_means at_vertex = measure(signal, 3000, (const double[]){0, 0, 0});
+    assert_near(at_vertex.square.mean, 0, 0);
+    bl_signal_free(signal);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_class_of_continuity_is_the_one_stated),
+        cmocka_unit_test(test_hermite_has_one_slope_on_both_sides_of_a_face),
+        cmocka_unit_test(test_the_period_is_the_one_stated),
+        cmocka_unit_test(test_the_fraction_ends_where_it_is_stated_to),
+        cmocka_unit_test(test_mean_and_variance_are_the_ones_stated),
+        cmocka_unit_test(test_scnoise_has_the_same_variance_all_over_the_cell),
+        cmocka_unit_test(test_lattice_noises_show_their_cell_in_the_variance),
+    };
+    return bl_run_tests(tests);
+}
