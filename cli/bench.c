@@ -161,9 +161,8 @@ static void report_text(bl_call *call, const bl_bench *bench) {
         "%s; compiler %s\none thread (psd: %d); least and median of %d rounds by turns; error "
         "against the double\nreference around 0, 1e6 and 1e9; yardstick: the textbook's loop "
         "at the same places; ratio: how much\nfaster (psd: how many bare transforms it costs); per "
-        "cell: samples in a cell of the "
-        "lattice (points: %d over a\ncube of %d cells a side, so hardly two in one); floor: the "
-        "ratio asked for, judged with --check\n\n",
+        "cell: samples in a lattice cell (points:\n%d over a cube of %d cells a side, hardly two "
+        "in one); floor: the ratio asked for, which\nonly --check makes the exit status\n\n",
         processor, __VERSION__, bl_call_threads(call), bench->rounds, BL_SCATTERED,
         BL_SCATTER_CUBE);
     fprintf(call->out, "%-22s %-9s %-2s %-9s%9s%9s%9s%10s%8s%10s  %s\n", "signal", "path", "ax",

@@ -17,7 +17,7 @@ typedef struct check_settings {
 static void print_db(FILE *out, const char *name, double db) {
     fprintf(out, "%-14s ", name);
     if (isfinite(db))
-        fprintf(out, "%.2f dB of the variance\n", db);
+        fprintf(out, "%.2f dB of the variance\n", fabs(db) < 0.005 ? 0 : db); // not -0.00
     else
         fprintf(out, "%s dB of the variance\n", db < 0 ? "-inf" : "not known");
 }
@@ -85,7 +85,8 @@ static bl_status judgeable(const bl_psd *psd, const bl_band_limit *limit, bl_mes
                          "nothing is left to judge outside of the band %g : %g with a guard of "
                          "%.3g: frequencies were measured up to %g cycles per unit; %s, or narrow "
                          "--band or --guard",
-                         limit->from, limit->to, limit->guard, nyquist, remedy);
+                         limit->from, limit->to, limit->guard, nyquist,
+                         isfinite(limit->to) ? remedy : "give the band an end");
     return BL_OK;
 }
 

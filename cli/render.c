@@ -183,9 +183,9 @@ static bl_status check_memory(const bl_grid *grid, double bytes, bl_message *mes
     if (bytes <= available)
         return BL_OK;
     return bl_report(message, BL_MISMATCH,
-                     "an image of %zu x %zu pixels takes %s of memory, and %s are available; use a "
-                     "smaller --width or --height",
-                     grid->width, grid->height, bl_plain_bytes(bytes).text,
+                     "an image of %zu x %zu pixels takes %s of memory (%.0f bytes), and %s are "
+                     "available; use a smaller --width or --height",
+                     grid->width, grid->height, bl_plain_bytes(bytes).text, bytes,
                      bl_plain_bytes(available).text);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/verb.h"
 
+#include <ctype.h>
 #include <string.h>
 
 #include "cli/words.h"
@@ -91,12 +92,16 @@ const bl_verb *bl_verb_find(const char *name) {
     return NULL;
 }
 
-// A user who types the name of a thing wants it shown.
-static const char *kind_of(const char *name) {
+// What a word is that is no verb, and its name as it should be written: a user who types the name
+// of a thing wants it shown.
+static const char *kind_of(const char *text, char *name, size_t size) {
     bl_spec spec;
     const char *kind = NULL;
+    snprintf(name, size, "%s", text);
     if (bl_source_is_file(name))
         return "a file";
+    for (char *letter = name; *letter && *letter != ':'; letter++)
+        *letter = (char)tolower((unsigned char)*letter);
     if (bl_figure_find(name))
         return "a figure";
     if (bl_spec_parse(name, &spec, NULL) != BL_OK)
@@ -111,10 +116,11 @@ bl_status bl_verb_report_unknown(const char *name, bl_message *message) {
     const char *names[VERB_COUNT + 1] = {NULL};
     for (size_t i = 0; i < VERB_COUNT; i++)
         names[i] = registry[i]->name;
-    const char *near = bl_suggest(name, names), *kind = kind_of(name);
+    char known[512];
+    const char *near = bl_suggest(name, names), *kind = kind_of(name, known, sizeof known);
     if (kind)
-        return bl_report(message, BL_USAGE, "'%s' is %s and no verb: try `bandlimit show %s`", name,
-                         kind, name);
+        return bl_report(message, BL_USAGE, "'%s' is %s and no verb: try `bandlimit show %s`",
+                         known, kind, known);
     return bl_report(message, BL_USAGE, "unknown verb '%s'%s%s%s`bandlimit help` lists all", name,
                      near ? "; did you mean '" : "", near ? near : "", near ? "'? " : "; ");
 }

@@ -7,6 +7,11 @@ _bandlimit_names() {
     "${COMP_WORDS[0]}" list "$1" --names 2>/dev/null
 }
 
+# The keys that a noise takes.
+_bandlimit_keys() {
+    "${COMP_WORDS[0]}" show "$1" --json 2>/dev/null | sed -n 's/^ *"key": "\(.*\)",*$/\1/p'
+}
+
 _bandlimit() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     local verbs="list show eval render spectrum histogram check reproduce bench help version"
@@ -14,7 +19,7 @@ _bandlimit() {
         --version"
     local spectral="--dims --axis --rate --size --average --window --place --level"
     local verb="" options="" words="" word files=""
-    local i
+    local i name prefix
 
     # bash splits --name=VALUE at the equals sign.
     if [[ $current == "=" ]]; then
@@ -27,14 +32,35 @@ _bandlimit() {
     --place) COMPREPLY=($(compgen -W "random lattice" -- "$current")) ;;
     --axis | --normal) COMPREPLY=($(compgen -W "x y z" -- "$current")) ;;
     --dims) COMPREPLY=($(compgen -W "1 2 3" -- "$current")) ;;
-    --isa) COMPREPLY=($(compgen -W "baseline v3 v4" -- "$current")) ;;
+    --isa)
+        words="baseline v3 v4"
+        [[ " ${COMP_WORDS[*]} " == *" bench "* ]] && words+=" all"
+        COMPREPLY=($(compgen -W "$words" -- "$current"))
+        ;;
     --format) COMPREPLY=($(compgen -W "svg pdf" -- "$current")) ;;
     --bits) COMPREPLY=($(compgen -W "8 16" -- "$current")) ;;
     -o | --output) COMPREPLY=($(compgen -f -- "$current")) ;;
     --seed | --threads | --rate | --size | --average | --level | --band | --leak | --guard | \
-        --samples | --bins | --range | --width | --height | --scale | --at) return ;;
+        --autocorrelation | --samples | --bins | --range | --width | --height | --scale | --at) return ;;
     esac
     [[ ${#COMPREPLY[@]} -gt 0 ]] && return
+
+    # bash splits name:key=value,key=value at the colon and the equals signs.
+    for ((i = COMP_CWORD; i > 1; i--)); do
+        [[ ${COMP_WORDS[i]} == ":" ]] && break
+        [[ $i -lt $COMP_CWORD && ${COMP_WORDS[i]} != "=" && ${COMP_WORDS[i + 1]} != "=" &&
+            ${COMP_WORDS[i - 1]} != "=" ]] && i=1
+    done
+    if [[ $i -gt 1 && ($current == ":" || $previous == ":" || $current == *,*) ]]; then
+        name=${COMP_WORDS[i - 1]}
+        [[ $current == ":" ]] && current=""
+        prefix=""
+        [[ $current == *,* ]] && prefix=${current%,*},
+        COMPREPLY=($(compgen -P "$prefix" -S "=" -W "$(_bandlimit_keys "$name")" -- \
+            "${current##*,}"))
+        compopt -o nospace 2>/dev/null
+        return
+    fi
 
     for ((i = 1; i < COMP_CWORD; i++)); do
         word=${COMP_WORDS[i]}
@@ -56,7 +82,7 @@ _bandlimit() {
         words=$(_bandlimit_names noises) files=yes
         ;;
     spectrum)
-        options="$spectral --band"
+        options="$spectral --band --autocorrelation"
         words=$(_bandlimit_names noises) files=yes
         ;;
     histogram)

@@ -23,10 +23,10 @@ typedef struct bl_histogram_settings {
 
 typedef struct bl_histogram {
     bl_histogram_settings settings;
-    size_t count;   // values seen
-    size_t outside; // of [from, to]
-    bl_moments moments;
-    bl_estimate mean, variance;
+    size_t count;               // values seen
+    size_t outside;             // of [from, to]
+    bl_moments moments;         // of a constant, skewness and kurtosis are NAN: 0/0
+    bl_estimate mean, variance; // the limits of the variance are positive where it is
     double minimum, maximum;
     double minimum_at[BL_AXES], maximum_at[BL_AXES];
     double quantile_p[BL_QUANTILES];

@@ -28,9 +28,11 @@ static void fill_moments(const bl_sampling *s, bl_histogram *h, double *means, d
     h->mean = (bl_estimate){h->moments.mean, h->mean.lower + shift, h->mean.upper + shift,
                             h->mean.level, h->mean.samples};
     double variance = h->moments.n > 1 ? h->moments.m2 / (h->moments.n - 1) : 0;
-    shift = variance - h->variance.value;
-    h->variance = (bl_estimate){variance, h->variance.lower + shift, h->variance.upper + shift,
-                                h->variance.level, h->variance.samples};
+    // A variance is positive, and so are its limits on a scale of logarithms.
+    double half = h->variance.upper - h->variance.value; // NaN of one block
+    double factor = h->variance.value > 0 ? exp(half / h->variance.value) : 1;
+    h->variance = (bl_estimate){variance, variance / factor, variance * factor, h->variance.level,
+                                h->variance.samples};
 }
 
 static void fill_range(const bl_sampling *s, bl_histogram *h) {

@@ -166,7 +166,7 @@ static bl_status first_pass(measurement *m, bl_message *message) {
 
 // One average: its powers go to its profile, its half spectrum stays in the samples.
 static bl_status transform_average(measurement *m, size_t k, float *samples, bl_psd *psd,
-                                   double *residual, bl_message *message) {
+                                   double *windowed, double *residual, bl_message *message) {
     size_t worker = m->workers > 1 ? (size_t)omp_get_thread_num() : 0, bins = m->bins.count + 1;
     bl_transformed result = {.sums = m->sums + worker * 2 * bins};
     void *buffer = samples;
@@ -181,25 +181,27 @@ static bl_status transform_average(measurement *m, size_t k, float *samples, bl_
     double total = 0, *profile = psd->profiles + k * bins;
     for (size_t bin = 0; status == BL_OK && bin < bins; bin++)
         total += profile[bin] = result.sums[bin].sum;
+    *windowed = result.windowed;
     // A signal without variance keeps Parseval's equation as 0 = 0.
     *residual = total == result.windowed ? 0 : fabs(total / result.windowed - 1);
     return status;
 }
 
 static bl_status second_pass(measurement *m, bl_psd *psd, bl_message *message) {
-    double worst = 0;
+    double worst = 0, windowed_sum = 0;
     int again = m->slots != m->averages;
 #pragma omp parallel for ordered schedule(static, 1) num_threads(m->workers) if (m->workers > 1)
     for (size_t k = 0; k < m->averages; k++) {
         float *samples = slot_of(m, k);
-        double residual;
+        double residual, windowed;
         if (again)
             bl_sampler_fill(&m->sampler, k, samples, m->pitch, m->threads_each);
-        m->statuses[k] = transform_average(m, k, samples, psd, &residual, NULL);
+        m->statuses[k] = transform_average(m, k, samples, psd, &windowed, &residual, NULL);
 #pragma omp ordered
         {
             if (m->half)
                 bl_transform_add(&m->transform, samples, m->half);
+            windowed_sum += windowed;
             if (!(residual <= worst)) // NaN stays
                 worst = residual;
         }
@@ -210,29 +212,45 @@ static bl_status second_pass(measurement *m, bl_psd *psd, bl_message *message) {
                              "out of memory transforming an average of "
                              "%zu samples",
                              m->samples);
+    psd->windowed_variance = windowed_sum / (double)m->averages;
     psd->parseval_residual = worst;
     return bl_psd_check_parseval(psd, message);
 }
 
 // --- results ---
 
-// The mean of all samples, and the interval of their variance over the places.
-static bl_status fill_variance(const measurement *m, bl_psd *psd, bl_message *message) {
-    double *values = malloc(m->averages * sizeof *values);
-    if (!values)
-        return bl_report(message, BL_DEVICE, "out of memory for %zu averages", m->averages);
+// Around the grand mean.
+static double average_variance(const bl_moments *moments, double mean) {
+    double off = moments->mean - mean;
+    return moments->m2 / moments->n + off * off;
+}
+
+// The mean and the variance of all samples.
+static void fill_variance(const measurement *m, bl_psd *psd) {
     double shift = m->moments[0].mean, sum = 0;
     for (size_t k = 0; k < m->averages; k++)
         sum += m->moments[k].mean - shift;
     psd->mean = shift + sum / (double)m->averages;
-    for (size_t k = 0; k < m->averages; k++) {
-        double off = m->moments[k].mean - psd->mean;
-        values[k] = m->moments[k].m2 / m->moments[k].n + off * off;
-    }
-    psd->variance = bl_mean_estimate(values, m->averages, m->sampler.settings.level);
-    free(values);
+    sum = 0;
+    for (size_t k = 0; k < m->averages; k++)
+        sum += average_variance(&m->moments[k], psd->mean);
+    psd->variance.value = sum / (double)m->averages;
     int known = m->sampler.settings.place == BL_PLACE_RANDOM && !m->sampler.on_grid;
     psd->variance_theory = known ? m->sampler.signal->facts.variance : NAN;
+}
+
+static bl_status fill_limits(const measurement *m, bl_psd *psd, bl_message *message) {
+    bl_status status =
+        bl_psd_fill_limits(psd, &m->bins, m->sampler.overlap, m->sampler.on_grid, message);
+    if (status != BL_OK)
+        return status;
+    double *values = malloc(m->averages * sizeof *values);
+    if (!values)
+        return bl_report(message, BL_DEVICE, "out of memory for %zu averages", m->averages);
+    for (size_t k = 0; k < m->averages; k++)
+        values[k] = average_variance(&m->moments[k], psd->mean);
+    bl_psd_fill_variance_limits(psd, &m->bins, values);
+    free(values);
     return BL_OK;
 }
 
@@ -299,12 +317,12 @@ bl_status bl_psd_measure(const bl_signal *signal, const bl_psd_settings *setting
         status = bl_psd_allocate(psd, &m.bins, message);
     if (status == BL_OK)
         status = first_pass(&m, message);
-    if (status == BL_OK)
-        status = fill_variance(&m, psd, message);
-    if (status == BL_OK)
+    if (status == BL_OK) {
+        fill_variance(&m, psd);
         status = second_pass(&m, psd, message);
+    }
     if (status == BL_OK)
-        status = bl_psd_fill_limits(psd, &m.bins, m.sampler.overlap, m.sampler.on_grid, message);
+        status = fill_limits(&m, psd, message);
     if (status == BL_OK)
         status = fill_half(&m, psd, message);
     if (status == BL_OK)

@@ -33,7 +33,8 @@ typedef struct bl_psd_settings {
     unsigned dims;   // 1 line, 2 slice, 3 volume
     double rate;     // samples per unit; 0: from the signal's grid, or 16, 8, 4 by dims
     size_t size;     // samples along each axis; 0: from the grid, or 2048, 512, 64 by dims
-    size_t averages; // 0: 256, 16, 8 by dims; of a grid: 256 lines at most, all tiles
+    size_t averages; // 0: 256, 16, 8 by dims; of a grid: 256 lines at most, all tiles. A grid may
+                     // have fewer than asked for; the settings of a result say how many were taken
     bl_window window;
     double axis[3]; // direction of the line; normal of the slice; unused for a volume
     bl_place place; // a grid has only its own place
@@ -51,7 +52,8 @@ typedef struct bl_psd {
                               // for a line): power = psd * measure
     double *psd;              // line: one-sided; ring, shell: mean of the two-sided density
     double *lower, *upper;    // confidence limits of psd
-    double *dof;              // degrees of freedom behind each bin's limits; 0: no limits
+    double *dof;              // degrees of freedom behind each bin's limits (which are wider where
+                              // these are themselves estimated); 0: no limits
     double *theory;           // expectation of psd for this window and rate, or NULL
     double *theory_corners;   // one number: the power beyond the Nyquist circle, or NULL
     double *anisotropy_db;    // rings and shells (Ulichney 1987), NAN for one-cell rings; else NULL
@@ -60,12 +62,19 @@ typedef struct bl_psd {
     double inflation;         // mean ratio of the variance between averages to that of exponential
                               // bins: 1 for a stationary Gaussian signal
     double correlation;       // variance of the mean of the averages, over that of as many
-                              // independent ones: above 1 where the segments of a grid overlap or
-                              // stand too near each other
+                              // independent ones: above 1 where the segments of a grid overlap,
+                              // stand too near each other, or are alike
+    double alike;             // the part of the power that the averages of a grid have in common:
+                              // 1 where all are the same, and count as one; 0 off a grid
     double broadening;        // by which the window divides the number of independent bins in a
                               // wide band
     double mean;              // removed
-    bl_estimate variance;     // of the samples, over places
+    bl_estimate variance;     // of the samples, over places, each with the same weight; its limits
+                              // are positive where it is
+    double windowed_variance; // of the samples weighted by the window, the mean over the averages
+                              // of sum (w x)^2 / sum w^2: the sum of psd * measure over the bins,
+                              // and the corners. It differs from `variance` by chance, because
+                              // the window sees fewer of the samples
     double variance_theory;   // NAN if unknown
     double parseval_residual; // |sum(P df) / windowed variance - 1|, the largest of all averages
     double *plane;            // slice: psd of the half plane [size][size/2+1], row-major, row 0 is
@@ -109,7 +118,8 @@ typedef struct bl_band_limit {
     double from, to, limit_db;
     double guard;                       // cycles per unit beyond both edges that are not judged
     double leak_db, lower_db, upper_db; // share outside [from, to], dB of the variance
-    size_t needed_averages;             // that would settle an inconclusive verdict; else 0
+    size_t needed_averages;             // that would settle an inconclusive verdict; else 0, as
+                                        // where the averages are alike
     bl_status verdict;                  // BL_OK, BL_INCONCLUSIVE or BL_FAIL
 } bl_band_limit;
 

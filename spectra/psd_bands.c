@@ -9,7 +9,8 @@
 //   var A = broadening sum over bins of share^2 power^2 2/(cells K),   F = A/T,
 //   var F = ((1-F)^2 var A + F^2 var B) / T^2
 //
-// and the interval is symmetric in log(F/(1-F)), which keeps it inside of 0..1.
+// and the interval is symmetric in log(F/(1-F)), which keeps it inside of 0..1. The averages of a
+// grid that are alike tell nothing by their spread: then the wider of both intervals holds.
 #include <math.h>
 #include <stdlib.h>
 
@@ -108,6 +109,11 @@ static bl_estimate share_estimate(const bl_psd *psd, double from, double to, int
         double widen = sqrt(psd->correlation), value = estimate.value;
         estimate.lower = fmax(0, value - widen * (value - estimate.lower));
         estimate.upper = fmin(1, value + widen * (estimate.upper - value));
+        if (psd->alike > 0) {
+            bl_estimate freedom = share_by_freedom(psd, from, to, outside, level);
+            estimate.lower = fmin(estimate.lower, freedom.lower);
+            estimate.upper = fmax(estimate.upper, freedom.upper);
+        }
     }
     free(pairs);
     return estimate;
@@ -151,6 +157,8 @@ void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit) {
         limit->verdict = BL_FAIL;
     } else {
         limit->verdict = BL_INCONCLUSIVE;
+        if (psd->alike > 0)
+            return; // more of the same tells no more
         // The interval narrows with the root of the averages; it must not reach the limit.
         double reach = leak.value > allowed ? leak.value - leak.lower : leak.upper - leak.value;
         double ratio = reach / fabs(leak.value - allowed);

@@ -5,6 +5,7 @@
 //   sampler    where each average stands, with which seed; fills buffers        psd_sampler.c
 //   bins       which cell of the spectrum belongs to which line bin or ring     psd_bins.c
 //   transform  window, FFT, |.|^2 and the sums over bins, of one average        psd_transform.c
+//   spread     how much the averages of each bin differ, and are alike         psd_spread.c
 //   limits     degrees of freedom and confidence limits                         psd_limits.c
 #ifndef BL_SPECTRA_PSD_PARTS_H
 #define BL_SPECTRA_PSD_PARTS_H
@@ -126,9 +127,31 @@ bl_status bl_transform_run(const bl_transform *transform, void *samples, double 
 // Adds the powers that bl_transform_run with `keep` left in the buffer to a half spectrum.
 void bl_transform_add(const bl_transform *transform, const void *samples, double *half);
 
+// --- spread ---
+
+typedef struct bl_spread {
+    double relative;    // variance of one average over the square of its mean
+    double freedom;     // degrees of freedom of `relative`; INFINITY: known
+    double correlation; // variance of the mean of the averages, over that of independent ones
+} bl_spread;
+
+// Fills spread, one for each bin, and inflation, correlation and alike of the psd.
+bl_status bl_psd_find_spread(bl_psd *psd, const bl_bins *bins, double overlap, int on_grid,
+                             bl_spread *spread, bl_message *message);
+
 // --- limits ---
 
-// Fills dof, lower, upper, inflation and correlation from profiles, measure and psd.
+// Limits of a mean of positive values with `dof` degrees of freedom, found from an estimate of the
+// values' variance that has `freedom` of its own. They are positive where the value is.
+void bl_psd_limits_of(double value, double dof, double freedom, double level, double *lower,
+                      double *upper);
+
+// The interval of the variance, whose value stands, from the variances of the averages (of one
+// average none are needed), after bl_psd_fill_limits.
+void bl_psd_fill_variance_limits(bl_psd *psd, const bl_bins *bins, const double *values);
+
+// Fills psd, dof, lower, upper, broadening, inflation, correlation and alike from profiles and
+// measure.
 bl_status bl_psd_fill_limits(bl_psd *psd, const bl_bins *bins, double overlap, int on_grid,
                              bl_message *message);
 // Quantile of chi-square over its degrees of freedom, fast for many of them.

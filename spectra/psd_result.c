@@ -119,8 +119,7 @@ static bl_status measure_buffer(float *samples, const bl_transform *transform, c
         status = bl_report(message, BL_DEVICE, "out of memory for %zu rings", count);
     if (status == BL_OK) {
         psd->mean = buffer_mean(samples, size, transform->pitch, rows, threads, &square);
-        double variance = square - psd->mean * psd->mean;
-        psd->variance = bl_mean_estimate(&variance, 1, psd->settings.level);
+        psd->variance.value = fmax(0, square - psd->mean * psd->mean);
         psd->variance_theory = NAN;
         if (!isfinite(square))
             status = bl_report(message, BL_MISMATCH, "the slice holds values that are not finite");
@@ -131,6 +130,7 @@ static bl_status measure_buffer(float *samples, const bl_transform *transform, c
         double total = 0;
         for (size_t bin = 0; bin <= count; bin++)
             total += psd->profiles[bin] = result.sums[bin].sum;
+        psd->windowed_variance = result.windowed;
         psd->parseval_residual = total == result.windowed ? 0 : fabs(total / result.windowed - 1);
         status = bl_psd_check_parseval(psd, message);
         bl_psd_fill_anisotropy(psd, bins, result.sums);
@@ -159,7 +159,9 @@ bl_status bl_psd_of_buffer(float *samples, const bl_psd_settings *settings, bl_p
         status = measure_buffer(samples, &transform, &bins, psd, message);
     if (status == BL_OK)
         status = bl_psd_fill_limits(psd, &bins, 1, 0, message);
-    if (status != BL_OK)
+    if (status == BL_OK)
+        bl_psd_fill_variance_limits(psd, &bins, NULL);
+    else
         bl_psd_free(psd);
     bl_transform_close(&transform);
     bl_bins_close(&bins);

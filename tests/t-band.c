@@ -2,7 +2,8 @@
 //
 // Shares of the variance in bands, and verdicts on band limits.
 //
-// Error rate of the coverage tests: 1e-4 each (3.9 standard deviations of the binomial).
+// Error rate of the coverage tests: 1e-4 each (3.9 standard deviations of the binomial), about what
+// the method is known to cover, which is not 95 % exactly; each case says why.
 #include "tests/test.h"
 
 #include "spectra/psd.h"
@@ -69,8 +70,9 @@ static void test_shares_of_white_noise_are_their_measure(void **state) {
     bl_psd_free(&slice);
 }
 
-static void cover(unsigned dims, size_t size, size_t averages, double from, double to,
-                  double truth) {
+// `known`: what the method covers, by the expansion below or counted over 4000 trials or more.
+static void cover(unsigned dims, size_t size, size_t averages, double from, double to, double truth,
+                  double known) {
     double inside = 0, trials = (double)bl_test_scaled(300, 100);
     for (uint64_t r = 0; r < (uint64_t)trials; r++) {
         bl_psd psd = measure_white(dims, size, averages, r);
@@ -80,23 +82,30 @@ static void cover(unsigned dims, size_t size, size_t averages, double from, doub
         assert_true(isnan(band.theory));
         bl_psd_free(&psd);
     }
-    double sigma = sqrt(0.95 * 0.05 / trials);
+    double sigma = sqrt(0.95 * 0.05 * (1 / trials + 1.0 / 4000));
     if (getenv("BL_TEST_VERBOSE"))
         printf("coverage %.4f, sigma %.4f\n", inside / trials, sigma);
-    // Intervals by four averages are a little too narrow, as the ratio is not quite normal.
-    assert_near(inside / trials, 0.95, 3.9 * sigma + 0.01);
+    assert_near(inside / trials, known, 3.9 * sigma);
+    assert_near(known, 0.95, 0.015);
 }
 
-// By the spread over averages, and for one average by the degrees of freedom of the bins.
+// By the spread over averages: Student's interval of a ratio whose residual has the skewness g =
+// 0.41 (a quarter of 64 bins, 8 independent numbers) covers 95 % - 0.035/K, by the terms of Hall's
+// expansion (1992) in g^2 and the kurtosis: -0.9 % at K = 4, -0.2 % at 16; none for larger bands.
+//
+// For one average by the degrees of freedom of the bins: a normal quantile with a variance that is
+// itself found from the powers covers less where they are few (32 bins of a line: 94 %). On the
+// plane, cells to both sides of an edge are correlated by the window, which the sum over bins does
+// not know: what the band gains the rest gains too, the share spreads less, and 96 % are covered.
 static void test_intervals_of_shares_cover_95_per_cent(void **state) {
     (void)state;
-    cover(1, 128, 16, 1, 2, 0.25);
-    cover(1, 128, 4, 1, 2, 0.25);
-    cover(1, 256, 1, 1, 2, 0.25);
-    cover(1, 256, 2, 0.5, 3, 0.625);
-    cover(2, 48, 8, 0, 2, M_PI / 16);
-    cover(2, 48, 1, 0, 2, M_PI / 16);
-    cover(2, 48, 1, 1, INFINITY, 1 - M_PI / 64);
+    cover(1, 128, 16, 1, 2, 0.25, 0.95 - 0.035 / 16);
+    cover(1, 128, 4, 1, 2, 0.25, 0.95 - 0.035 / 4);
+    cover(1, 256, 1, 1, 2, 0.25, 0.939);
+    cover(1, 256, 2, 0.5, 3, 0.625, 0.95);
+    cover(2, 48, 8, 0, 2, M_PI / 16, 0.95);
+    cover(2, 48, 1, 0, 2, M_PI / 16, 0.963);
+    cover(2, 48, 1, 1, INFINITY, 1 - M_PI / 64, 0.961);
 }
 
 static void test_theory_of_a_band_is_that_of_its_bins(void **state) {
@@ -165,12 +174,13 @@ static void test_a_band_limit_passes_fails_or_is_open(void **state) {
     bl_psd_free(&psd);
 }
 
-// With twice the averages it asked for (the need is itself an estimate), the verdict is there:
-// pass, in at least half of the cases.
+// With twice the averages it asked for (the need is itself an estimate), the verdict is there. The
+// bands A and B are gamma(16) numbers (64 bins, broadening 2); a simulation of that model asks in
+// 71 % of all cases, and passes in 80 % of those. The bounds are 3.9 standard deviations below.
 static void test_the_needed_averages_settle_it(void **state) {
     (void)state;
-    int settled = 0, asked = 0;
-    for (uint64_t r = 0; r < 20; r++) {
+    double settled = 0, asked = 0, trials = (double)bl_test_scaled(40, 20);
+    for (uint64_t r = 0; r < (uint64_t)trials; r++) {
         bl_psd psd = measure_white(1, 128, 8, r);
         bl_band_limit limit = {.from = 0, .to = 2, .limit_db = 10 * log10(0.53)};
         bl_psd_band_limit(&psd, &limit);
@@ -183,14 +193,22 @@ static void test_the_needed_averages_settle_it(void **state) {
         }
         bl_psd_free(&psd);
     }
-    assert_true(asked > 5);
-    assert_true(settled * 10 >= asked * 5);
+    if (getenv("BL_TEST_VERBOSE"))
+        printf("asked %.0f, settled %.0f of %.0f\n", asked, settled, trials);
+    assert_near(asked / trials, 0.71, 3.9 * sqrt(0.71 * 0.29 / trials));
+    assert_near(settled / asked, 0.80, 3.9 * sqrt(0.80 * 0.20 / asked));
 }
 
-// One-sided limits at 95 %: the truth is above the upper one in a twentieth of all cases.
+// One-sided limits at 95 %: the truth is above the upper one in a twentieth of all cases, but for
+// the skewness of the power, which no interval by Student's t corrects. A quarter of 64 bins is a
+// gamma(8) number, three quarters a gamma(24); the residual 3/4 A - 1/4 B has the variance 6 and
+// the third cumulant 6, so g = 6/6^1.5 = 0.408, and Hall's first term (1992) for K averages and
+// z = 1.645 is e = g (2 z^2 + 1) phi(z) / (6 sqrt K) = 0.0112: 6.1 % above and 3.9 % below. The
+// terms of the next order, by 1/sqrt(K) smaller, may be as much as half of it (4000 trials:
+// 6.9 % and 3.5 %).
 static void test_one_sided_limits_hold_their_level(void **state) {
     (void)state;
-    double above = 0, below = 0, trials = (double)bl_test_scaled(400, 200);
+    double above = 0, below = 0, trials = (double)bl_test_scaled(1000, 200);
     for (uint64_t r = 0; r < (uint64_t)trials; r++) {
         bl_psd psd = measure_white(1, 128, 16, 7000 + r);
         bl_band_limit limit = {.from = 0, .to = 3, .limit_db = 0};
@@ -199,9 +217,9 @@ static void test_one_sided_limits_hold_their_level(void **state) {
         below += 10 * log10(0.25) < limit.lower_db;
         bl_psd_free(&psd);
     }
-    double sigma = sqrt(0.95 * 0.05 / trials);
-    assert_near(above / trials, 0.05, 3.9 * sigma + 0.01);
-    assert_near(below / trials, 0.05, 3.9 * sigma + 0.01);
+    const double e = 0.0112, sigma = sqrt(0.95 * 0.05 / trials);
+    assert_near(above / trials, 0.05 + e, 3.9 * sigma + 0.5 * e);
+    assert_near(below / trials, 0.05 - e, 3.9 * sigma + 0.5 * e);
 }
 
 static void test_no_leak_is_minus_infinity_decibel(void **state) {

@@ -370,7 +370,7 @@ static void add_batch(const bl_signal *signal, bl_random *random, const double *
 static batch_means measure(const bl_signal *signal, uint64_t stream, const double *phase) {
     batch_means means = {.value = {.n = 0}};
     bl_random random = bl_random_seed(4, stream);
-    for (size_t batch = 0; batch < bl_test_scaled(2048, 512); batch++)
+    for (size_t batch = 0; batch < bl_test_scaled(1024, 512); batch++)
         add_batch(signal, &random, phase, &means);
     return means;
 }

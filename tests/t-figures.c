@@ -196,6 +196,9 @@ static void test_json_agrees_with_the_result(void **state) {
             assert_string_equal(json_string_value(json_object_get(claim, "verdict")),
                                 bl_verdict_word(figure->claims[i].verdict));
             assert_int_equal(json_array_size(json_object_get(claim, "interval")), 2);
+            int estimated = figure->claims[i].measured.level > 0; // else there is no interval
+            assert_int_equal(json_is_null(json_object_get(claim, "level")), !estimated);
+            assert_true(json_string_length(json_object_get(claim, "samples_of")) > 0);
         }
         json_decref(json);
         free(path);

@@ -13,11 +13,12 @@ static const bl_figure figure = {.name = "example-1",
                                  .paper = "nobody2000, fig. 1",
                                  .shows = "What <b>is</b> drawn."};
 static const bl_run_note settings_notes[] = {{"signal", "gnoise:seed=7<script>"}};
-static const bl_run_picture plots[] = {{.name = "drawing",
-.text = "A line that rises, \"quoted\".",
-.title = "Does it <rise>?",
-.keys = {{"so static const bl_run_note plots[] = {{"drawing", "A line that rises, \"quoted\"."}}; so", BL_STROKE_DASHED, BL_INK_THEORY}},
-.key_count = 1}};
+static const bl_run_picture plots[] = {
+    {.name = "drawing",
+     .text = "A line that rises, \"quoted\".",
+     .title = "Does it <rise>?",
+     .keys = {{"closed & open", BL_STROKE_DASHED, BL_INK_THEORY}},
+     .key_count = 1}};
 static char *files[] = {(char *)"drawing.svg", (char *)"data.csv"};
 static const char svg[] = "<svg xmlns=\"http://www.w3.org/2000/svg\"/>";
 
@@ -28,7 +29,8 @@ static bl_claim claim_of(const char *sentence, const char *source, double value)
                       .unit = "dB",
                       .expected_lower = 0,
                       .expected_upper = INFINITY,
-                      .measured = {value, value - 0.5, value + 0.5, 0.95, 100}};
+                      .measured = {value, value - 0.5, value + 0.5, 0.95, 100},
+                      .counted = "averages"};
     bl_claim_judge(&claim);
     return claim;
 }
@@ -36,16 +38,19 @@ static bl_claim claim_of(const char *sentence, const char *source, double value)
 static char *write_example(const char *name) {
     mkdir(bl_temporary_path("example-1"), 0777);
     bl_temporary_write(bl_temporary_path("example-1/drawing.svg"), svg, sizeof svg - 1);
-    bl_claim claims[] = {claim_of("It rises.", "nobody2000, p. 1", 1),
-                         claim_of("It rises.", "nobody2000, p. 1", -2),
-                         claim_of("It is <ours>.", "bandlimit", 3)};
+    bl_claim claims[] = {
+        claim_of("It rises.", "nobody2000, p. 1", 1), claim_of("It rises.", "nobody2000, p. 1", -2),
+        claim_of("It is <ours>.", "bandlimit", 3), claim_of("It is computed.", "bandlimit", 4),
+        claim_of("It is an extreme.", "bandlimit", 5)};
+    claims[3].measured = (bl_estimate){4, 4, 4, 1, 10};
+    claims[4].measured = (bl_estimate){5, 5, 5, 0, 10};
     bl_figure_result result = {.figure = &figure,
                                .folder = (char *)bl_temporary_path("example-1"),
                                .files = files,
                                .file_count = 2,
                                .claims = claims,
-                               .claim_count = 3};
-    for (int i = 0; i < 3; i++)
+                               .claim_count = 5};
+    for (int i = 0; i < 5; i++)
         result.verdicts[claims[i].verdict]++;
     const bl_run_view view = {.result = &result,
                               .settings = settings_notes,
@@ -103,13 +108,31 @@ static void test_each_picture_has_an_alternative_text_and_a_caption(void **state
 static void test_claims_are_tallied_grouped_and_judged(void **state) {
     (void)state;
     char *page = write_example("claims.html");
-    assert_int_equal(count(page, "<tr class=\"claim\">"), 2); // two readings of one sentence
-    assert_int_equal(count(page, "<tr><td"), 3);
-    assert_non_null(strstr(page, "<b>2</b><span class=\"holds\">"));
+    assert_int_equal(count(page, "<tr class=\"claim\">"), 4); // two readings of one sentence
+    assert_int_equal(count(page, "<tr><td"), 5);
+    assert_non_null(strstr(page, "<b>4</b><span class=\"holds\">"));
     assert_non_null(strstr(page, "<b>1</b><span class=\"refuted\">"));
     assert_non_null(strstr(page, "What does not hold"));
     assert_non_null(strstr(page, "at least 0 dB"));
-    assert_non_null(strstr(page, "-2.5 to -1.5 (95&nbsp;%)"));
+    assert_non_null(strstr(page, "-2.5 to -1.5 dB (95&nbsp;%)"));
+    assert_non_null(strstr(page, "interval -2.5 to -1.5 dB")); // in the list of what does not hold
+    assert_non_null(strstr(page, "100 averages"));
+    free(page);
+}
+
+static void test_only_a_computed_number_is_called_exact(void **state) {
+    (void)state;
+    char *page = write_example("exact.html");
+    assert_int_equal(count(page, "<span>exact</span>"), 1);
+    assert_int_equal(count(page, "<span>not estimated</span>"), 1);
+    free(page);
+}
+
+static void test_the_legend_of_a_plot_stands_in_text_too(void **state) {
+    (void)state;
+    char *page = write_example("legend.html");
+    assert_non_null(strstr(page, "<b>Does it &lt;rise&gt;?</b>"));
+    assert_non_null(strstr(page, "color:#D55E00\"></i>closed &amp; open</span>"));
     free(page);
 }
 
@@ -158,6 +181,8 @@ int main(void) {
         cmocka_unit_test(test_texts_are_escaped),
         cmocka_unit_test(test_each_picture_has_an_alternative_text_and_a_caption),
         cmocka_unit_test(test_claims_are_tallied_grouped_and_judged),
+        cmocka_unit_test(test_only_a_computed_number_is_called_exact),
+        cmocka_unit_test(test_the_legend_of_a_plot_stands_in_text_too),
         cmocka_unit_test(test_links_lead_to_what_is_there),
         cmocka_unit_test(test_the_elements_close),
         cmocka_unit_test(test_a_missing_picture_or_folder_is_reported_and_leaves_no_page),

@@ -137,7 +137,7 @@ static void check_sample(const char *text, const bl_signal *signal, const double
 static void test_a_sample_of_a_row_is_as_alone(void **state) {
     (void)state;
     const texts *list = all_texts();
-    const size_t lines = bl_test_scaled(1000, 100);
+    const size_t lines = bl_test_scaled(600, 100);
     for (size_t n = 0; n < list->count; n++) {
         bl_random random = bl_random_seed(1, 0);
         bl_signal *signal = open_signal(list->text[n]);

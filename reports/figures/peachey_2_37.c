@@ -175,8 +175,10 @@ static bl_status plot_errors(bl_run *run, const bl_six_spectra *spectra, bl_mess
         run, "errors-line", &plot,
         "Measured minus closed form of the spectra along a line at a random place, a point for "
         "each frequency, over the band in which 95 % of the points belong if the closed form is "
-        "true: one point in twenty lies outside of it by chance. The band widens where the bins "
-        "share the variance of their place in the cell.",
+        "true: one point in twenty lies outside of it by chance. Neighbours are alike because of "
+        "the "
+        "window; and bins a whole cycle apart hold the same lattice numbers, so that the points of "
+        "a value noise repeat with the period 1.",
         message);
 }
 

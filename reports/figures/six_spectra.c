@@ -31,7 +31,7 @@ static bl_psd_settings settings_of(const bl_run *run, bl_reading reading) {
     default:
         s.rate = 4;
         s.size = (size_t)bl_run_pick(run, 32, 64, 128);
-        s.averages = (size_t)bl_run_pick(run, 6, 256, 1024);
+        s.averages = (size_t)bl_run_pick(run, 6, 128, 1024);
     }
     return s;
 }
