@@ -94,6 +94,7 @@ void bl_spectral_json(json_t *object, const bl_signal *signal, const bl_psd *psd
     bl_json_set_number(object, "dof", bl_spectral_dof(psd));
     bl_json_set_number(object, "mean", psd->mean);
     bl_json_set_estimate(object, "variance", &psd->variance);
+    bl_json_set_number(object, "windowed_variance", psd->windowed_variance);
     bl_json_set_number(object, "variance_theory", psd->variance_theory);
     bl_json_set_number(object, "parseval_residual", psd->parseval_residual);
     bl_json_set_number(object, "inflation", psd->inflation);
@@ -217,6 +218,9 @@ void bl_spectral_print(FILE *out, const bl_spectral *options, const bl_signal *s
     bl_plain_estimate(out, &psd->variance, psd->settings.level, 6);
     if (isfinite(psd->variance_theory))
         fprintf(out, "   theory %.6g", psd->variance_theory);
+    fputs("\nwindowed       ", out);
+    bl_plain_number(out, psd->windowed_variance, 6);
+    fputs(" (the sum of the PSD)", out);
     size_t peak = find_peak(psd);
     if (psd->count && psd->psd[peak] > 0)
         fprintf(out, "\npeak           %.4g cycles per unit, PSD %.4g per (cycle per unit)%s",

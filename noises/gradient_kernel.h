@@ -17,7 +17,6 @@ typedef enum bl_fade { BL_FADE_CUBIC, BL_FADE_QUINTIC, BL_FADE_LINEAR } bl_fade;
 
 static const char *const bl_gradient_fades[] = {"cubic", "quintic", "linear", NULL};
 static const char *const bl_gradient_modes[] = {"sphere", "rejection", "edges", NULL};
-static const char *const bl_gradient_lattices[] = {"hash", "perm256", NULL};
 static const bl_kernel bl_gradient_weights[] = {BL_KERNEL_SMOOTH, BL_KERNEL_QUINTIC,
                                                 BL_KERNEL_LINEAR};
 static const bl_kernel bl_gradient_ramps[] = {BL_KERNEL_RAMP_SMOOTH, BL_KERNEL_RAMP_QUINTIC,

@@ -22,6 +22,7 @@
 // of 256; the sphere's longitude in 2^15 steps; perm256 draws its words by the same hash.
 #include <stddef.h>
 
+#include "noises/common_parameters.h"
 #include "noises/gradient_kernel.h"
 #include "noises/noise.h"
 
@@ -116,12 +117,7 @@ static float textbook(float x, float y, float z) {
 }
 
 static const bl_parameter parameters[] = {
-    {.key = "seed",
-     .kind = BL_SEED,
-     .offset = offsetof(gradient_parameters, seed),
-     .fallback = "0",
-     .unit = "",
-     .help = "chooses the gradients"},
+    BL_SEED_PARAMETER(gradient_parameters, "the gradients"),
     {.key = "fade",
      .kind = BL_CHOICE,
      .offset = offsetof(gradient_parameters, fade),
@@ -136,13 +132,7 @@ static const bl_parameter parameters[] = {
      .fallback = "sphere",
      .unit = "",
      .help = "how gradients are drawn: uniform on the sphere, by rejection, or 12 edges"},
-    {.key = "lattice",
-     .kind = BL_CHOICE,
-     .offset = offsetof(gradient_parameters, lattice),
-     .choices = bl_gradient_lattices,
-     .fallback = "hash",
-     .unit = "",
-     .help = "64-bit hash, or the text's permutation of 256"},
+    BL_LATTICE_PARAMETER(gradient_parameters),
     {.key = NULL}};
 
 BL_NOISE_DESCRIPTOR(gradient_noise) = {

@@ -20,6 +20,7 @@
 // derivatives at the corners 0, and tangents uniform in a cube.
 #include <stddef.h>
 
+#include "noises/common_parameters.h"
 #include "noises/closed_forms.h"
 #include "noises/noise.h"
 #include "noises/separable.h"
@@ -287,22 +288,10 @@ static void describe(const void *block, bl_facts *facts) {
     facts->far = 0x1p52;
 }
 
-static const char *const lattice_kinds[] = {"hash", "perm256", NULL};
-
-static const bl_parameter parameters[] = {{.key = "seed",
-                                           .kind = BL_SEED,
-                                           .offset = offsetof(hermite_parameters, seed),
-                                           .fallback = "0",
-                                           .unit = "",
-                                           .help = "chooses the values and the tangents"},
-                                          {.key = "lattice",
-                                           .kind = BL_CHOICE,
-                                           .offset = offsetof(hermite_parameters, lattice),
-                                           .choices = lattice_kinds,
-                                           .fallback = "hash",
-                                           .unit = "",
-                                           .help = "64-bit hash, or the text's permutation of 256"},
-                                          {.key = NULL}};
+static const bl_parameter parameters[] = {
+    BL_SEED_PARAMETER(hermite_parameters, "the values and the tangents"),
+    BL_LATTICE_PARAMETER(hermite_parameters),
+    {.key = NULL}};
 
 BL_NOISE_DESCRIPTOR(hermite_noise) = {
     .name = "hermite",

@@ -27,6 +27,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "noises/common_parameters.h"
 #include "noises/closed_forms.h"
 #include "noises/convolution_cells.h"
 #include "noises/convolution_row.h"
@@ -45,36 +46,13 @@ typedef struct convolution_parameters {
 
 enum { KERNEL_EXACT, KERNEL_TABLE };
 
-static const char *const lattices[] = {"hash", "perm256", NULL};
 static const char *const kernels[] = {"exact", "table:N", NULL};
 
-#define AT(field) offsetof(convolution_parameters, field)
 static const bl_parameter parameters[] = {
-    {.key = "seed",
-     .kind = BL_SEED,
-     .offset = AT(seed),
-     .fallback = "0",
-     .unit = "",
-     .help = "chooses the lattice values"},
-    {.key = "lattice",
-     .kind = BL_CHOICE,
-     .offset = AT(lattice),
-     .choices = lattices,
-     .fallback = "hash",
-     .unit = "",
-     .help = "hash, or the text's table of 256 entries"},
-    {.key = "kernel",
-     .kind = BL_CHOICE,
-     .offset = AT(kernel),
-     .choices = kernels,
-     .number_offset = AT(table_rate),
-     .minimum = 1,
-     .maximum = 1000000,
-     .fallback = "exact",
-     .unit = "entries a unit",
-     .help = "exact, or the text's table in squared distance"},
+    BL_SEED_PARAMETER(convolution_parameters, "the lattice values"),
+    BL_LATTICE_PARAMETER(convolution_parameters),
+    BL_KERNEL_PARAMETER(convolution_parameters, kernels),
     {.key = NULL}};
-#undef AT
 
 // --- the reference ------------------------------------------------------------------------------
 

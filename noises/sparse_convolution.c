@@ -31,6 +31,7 @@
 #include <stdint.h>
 
 #include "core/hash.h"
+#include "noises/common_parameters.h"
 #include "noises/closed_forms.h"
 #include "noises/convolution_cells.h"
 #include "noises/convolution_row.h"
@@ -51,17 +52,11 @@ typedef struct sparse_parameters {
 
 enum { KERNEL_EXACT, KERNEL_TABLE };
 
-static const char *const lattices[] = {"hash", "perm256", NULL};
 static const char *const kernels[] = {"exact", "table:N", NULL};
 
 #define AT(field) offsetof(sparse_parameters, field)
 static const bl_parameter parameters[] = {
-    {.key = "seed",
-     .kind = BL_SEED,
-     .offset = AT(seed),
-     .fallback = "0",
-     .unit = "",
-     .help = "chooses the impulses"},
+    BL_SEED_PARAMETER(sparse_parameters, "the impulses"),
     {.key = "impulses",
      .kind = BL_INTEGER,
      .offset = AT(impulses),
@@ -70,23 +65,8 @@ static const bl_parameter parameters[] = {
      .fallback = "3",
      .unit = "a cell",
      .help = "impulses in each cell; the sum is divided by it"},
-    {.key = "lattice",
-     .kind = BL_CHOICE,
-     .offset = AT(lattice),
-     .choices = lattices,
-     .fallback = "hash",
-     .unit = "",
-     .help = "hash, or the text's table of 256 entries"},
-    {.key = "kernel",
-     .kind = BL_CHOICE,
-     .offset = AT(kernel),
-     .choices = kernels,
-     .number_offset = AT(table_rate),
-     .minimum = 1,
-     .maximum = 1000000,
-     .fallback = "exact",
-     .unit = "entries a unit",
-     .help = "exact, or the text's table in squared distance"},
+    BL_LATTICE_PARAMETER(sparse_parameters),
+    BL_KERNEL_PARAMETER(sparse_parameters, kernels),
     {.key = NULL}};
 #undef AT
 

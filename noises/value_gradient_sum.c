@@ -20,6 +20,7 @@
 // save some work by sharing the index; a shared word would correlate a value with its gradient.
 #include <stddef.h>
 
+#include "noises/common_parameters.h"
 #include "noises/gradient_kernel.h"
 #include "noises/noise.h"
 #include "noises/value_kernel.h"
@@ -143,12 +144,7 @@ static void describe(const void *block, bl_facts *facts) {
 }
 
 static const bl_parameter parameters[] = {
-    {.key = "seed",
-     .kind = BL_SEED,
-     .offset = offsetof(sum_parameters, seed),
-     .fallback = "0",
-     .unit = "",
-     .help = "chooses the values and the gradients"},
+    BL_SEED_PARAMETER(sum_parameters, "the values and the gradients"),
     {.key = "value",
      .kind = BL_REAL,
      .offset = offsetof(sum_parameters, value),
@@ -186,13 +182,7 @@ static const bl_parameter parameters[] = {
      .fallback = "sphere",
      .unit = "",
      .help = "how gradients are drawn: uniform on the sphere, by rejection, or 12 edges"},
-    {.key = "lattice",
-     .kind = BL_CHOICE,
-     .offset = offsetof(sum_parameters, lattice),
-     .choices = bl_gradient_lattices,
-     .fallback = "hash",
-     .unit = "",
-     .help = "64-bit hash, or the text's permutation of 256"},
+    BL_LATTICE_PARAMETER(sum_parameters),
     {.key = NULL}};
 
 BL_NOISE_DESCRIPTOR(value_gradient_sum) = {

@@ -26,7 +26,6 @@ static const char *const bl_value_interps[] = {"catmull-rom", "linear",   "smoot
 static const bl_kernel bl_value_kernels[] = {BL_KERNEL_CATMULL_ROM, BL_KERNEL_LINEAR,
                                              BL_KERNEL_SMOOTH, BL_KERNEL_BSPLINE2,
                                              BL_KERNEL_BSPLINE3};
-static const char *const bl_lattice_kinds[] = {"hash", "perm256", NULL};
 
 typedef struct bl_value_noise {
     bl_lattice lattice;

@@ -23,6 +23,7 @@
 // table of 256; kernels in closed form, not `spline`; perm256 draws its words by the same hash.
 #include <stddef.h>
 
+#include "noises/common_parameters.h"
 #include "noises/noise.h"
 #include "noises/value_kernel.h"
 
@@ -126,27 +127,17 @@ static float textbook(float x, float y, float z) {
     return textbook_spline(fz, 4, zknots);
 }
 
-static const bl_parameter parameters[] = {{.key = "seed",
-                                           .kind = BL_SEED,
-                                           .offset = offsetof(value_parameters, seed),
-                                           .fallback = "0",
-                                           .unit = "",
-                                           .help = "chooses the lattice numbers"},
-                                          {.key = "interp",
-                                           .kind = BL_CHOICE,
-                                           .offset = offsetof(value_parameters, interp),
-                                           .choices = bl_value_interps,
-                                           .fallback = "catmull-rom",
-                                           .unit = "",
-                                           .help = "the kernel between the lattice points"},
-                                          {.key = "lattice",
-                                           .kind = BL_CHOICE,
-                                           .offset = offsetof(value_parameters, lattice),
-                                           .choices = bl_lattice_kinds,
-                                           .fallback = "hash",
-                                           .unit = "",
-                                           .help = "64-bit hash, or the text's permutation of 256"},
-                                          {.key = NULL}};
+static const bl_parameter parameters[] = {
+    BL_SEED_PARAMETER(value_parameters, "the lattice numbers"),
+    {.key = "interp",
+     .kind = BL_CHOICE,
+     .offset = offsetof(value_parameters, interp),
+     .choices = bl_value_interps,
+     .fallback = "catmull-rom",
+     .unit = "",
+     .help = "the kernel between the lattice points"},
+    BL_LATTICE_PARAMETER(value_parameters),
+    {.key = NULL}};
 
 BL_NOISE_DESCRIPTOR(value_noise) = {
     .name = "vnoise",

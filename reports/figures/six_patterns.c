@@ -100,7 +100,7 @@ static void claim_contrasts(bl_run *run, const contrasts *c) {
     for (int p = 0; p < 2; p++)
         bl_six_claim(run, "peachey2003, Value-Gradient Noise",
                      "Value-gradient noise looks less regular than gradient noise: its lattice "
-                     "contrast less that of gnoise.",
+                     "contrast minus that of gnoise.",
                      bl_run_text(run, "vgnoise, %s", slice_words[p]), "", -unlimited, 0,
                      contrast_difference(c, p, BL_VGNOISE, BL_GNOISE), pairs);
     for (int p = 0; p < 2; p++)
