@@ -57,7 +57,8 @@ static size_t edit_distance(const char *a, const char *b) {
         size_t diagonal = rows[0];
         rows[0] = i;
         for (size_t j = 1; j <= length; j++) {
-            size_t change = diagonal + (a[i - 1] != b[j - 1]);
+            int differs = tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]);
+            size_t change = diagonal + (size_t)differs;
             diagonal = rows[j];
             rows[j] = smallest(rows[j] + 1, rows[j - 1] + 1, change);
         }

@@ -58,7 +58,7 @@ bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec
 // the list. The caller frees it; NULL if out of memory.
 char *bl_parameters_text(const char *name, const bl_parameter *parameters, const void *block);
 
-// The candidate nearest to a word by edit distance, or NULL if none is near (more than half of
+// The candidate nearest to a word by edit distance, whatever the case of the letters, or NULL if none is near (more than half of
 // the word's letters would have to change). `candidates` ends with NULL.
 const char *bl_nearest(const char *word, const char *const *candidates);
 

@@ -127,9 +127,9 @@ static bl_status report_key(const bl_parameter *parameters, const bl_setting *se
         snprintf(all + used, sizeof all - used, "%s%s", i ? " " : "", keys[i]);
     }
     const char *near = bl_nearest(setting->key, keys);
-    return bl_report(message, BL_USAGE, "unknown key '%s' at column %zu of '%s'%s%s%s; keys: %s",
+    return bl_report(message, BL_USAGE, "unknown key '%s' at column %zu of '%s'%s%s%s keys: %s",
                      setting->key, setting->key_column, text, near ? "; did you mean '" : "",
-                     near ? near : "", near ? "'?" : "", all);
+                     near ? near : "", near ? "'? All" : ";", all);
 }
 
 bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec, const char *text,

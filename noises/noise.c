@@ -83,8 +83,8 @@ static bl_status report_unknown(const char *name, bl_message *message) {
         names[i] = registry[i][0]->name;
     const char *near = bl_nearest(name, names);
     return bl_report(message, BL_USAGE,
-                     "unknown signal '%s' at column 1%s%s%s; `bandlimit list noises` shows all",
-                     name, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+                     "unknown signal '%s' at column 1%s%s%s `bandlimit list noises` shows all",
+                     name, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : ";");
 }
 
 static bl_signal *signal_of(const bl_noise *noise, const void *block) {

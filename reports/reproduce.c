@@ -36,8 +36,8 @@ static bl_status report_unknown(const char *name, bl_message *message) {
     const char *near = bl_nearest(name, names);
     free(names);
     return bl_report(message, BL_USAGE,
-                     "unknown figure '%s'%s%s%s; `bandlimit list figures` shows all", name,
-                     near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+                     "unknown figure '%s'%s%s%s `bandlimit list figures` shows all", name,
+                     near ? "; did you mean '" : "", near ? near : "", near ? "'?" : ";");
 }
 
 // Every name is looked up before the first figure runs: a typing error must not cost a minute.

@@ -103,10 +103,10 @@ static bl_status check_keys(const bl_spec *spec, bl_message *message) {
         const char *near = known ? NULL : bl_nearest(key, image_keys);
         if (!known)
             return bl_report(message, BL_USAGE,
-                             "unknown key '%s' of an image at column %zu%s%s%s; the keys are "
+                             "unknown key '%s' of an image at column %zu%s%s%s the keys are "
                              "channel, spacing, part and memory",
                              key, spec->settings[i].key_column, near ? "; did you mean '" : "",
-                             near ? near : "", near ? "'?" : "");
+                             near ? near : "", near ? "'?" : ";");
     }
     return BL_OK;
 }

@@ -299,7 +299,7 @@ static void test_sizes_beyond_memory_are_refused_with_the_bytes(void **state) {
     const char *png = bl_test_path("a.png");
     const bad_input list[] = {
         {3,
-         "8000000000000000000 bytes",
+         "8.0 EB of memory",
          {"render", "gnoise", "--width", "1000000000", "--height", "1000000000", "-o", png}},
         {3, "bytes", {"spectrum", "gnoise", "--dims", "2", "--size", "1000000"}},
         {3, "bytes", {"spectrum", "gnoise", "--dims", "3", "--size", "100000"}},

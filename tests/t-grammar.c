@@ -131,6 +131,7 @@ static void test_the_nearest_word_is_near_or_none(void **state) {
     const char *words[] = {"vnoise", "gnoise", "hermite", NULL};
     assert_string_equal(bl_nearest("gnose", words), "gnoise");
     assert_string_equal(bl_nearest("hermit", words), "hermite");
+    assert_string_equal(bl_nearest("GNOISE", words), "gnoise");
     assert_null(bl_nearest("zebra", words));
     assert_null(bl_nearest("", words));
     char long_word[500];
