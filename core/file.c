@@ -22,10 +22,35 @@ char *bl_file_temporary_name(const char *path) {
     return temporary;
 }
 
-// A device such as /dev/full or a pipe cannot be replaced by renaming; it is written in place.
-static int is_special(const char *path) {
+// Whether it is the file that standard output or error goes to, as /dev/stdout is.
+static int is_standard(const struct stat *info) {
+    struct stat standard;
+    for (int stream = STDOUT_FILENO; stream <= STDERR_FILENO; stream++)
+        if (fstat(stream, &standard) == 0 && standard.st_dev == info->st_dev &&
+            standard.st_ino == info->st_ino)
+            return 1;
+    return 0;
+}
+
+// A device such as /dev/full or a pipe cannot be replaced by renaming, nor can a file that is open
+// as standard output: they are written in place, the latter at its end.
+typedef enum target_kind { TARGET_REPLACED, TARGET_IN_PLACE, TARGET_APPENDED } target_kind;
+
+static target_kind kind_of(const char *path) {
     struct stat info;
-    return stat(path, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode);
+    if (stat(path, &info) != 0 || S_ISDIR(info.st_mode))
+        return TARGET_REPLACED;
+    if (!S_ISREG(info.st_mode))
+        return TARGET_IN_PLACE;
+    return is_standard(&info) ? TARGET_APPENDED : TARGET_REPLACED;
+}
+
+// What a file is known by: what a symbolic link stands for is replaced, not the link.
+static char *resolve(const char *path, target_kind kind) {
+    struct stat info;
+    if (kind == TARGET_REPLACED && lstat(path, &info) == 0 && S_ISLNK(info.st_mode))
+        return realpath(path, NULL);
+    return strdup(path);
 }
 
 bl_status bl_file_create(const char *path, bl_file *file, bl_message *message) {
@@ -36,11 +61,15 @@ bl_status bl_file_create(const char *path, bl_file *file, bl_message *message) {
     if (stat(path, &info) == 0 && S_ISDIR(info.st_mode))
         return bl_report(message, BL_DEVICE, "cannot write '%s': it is a folder; name a file",
                          path);
-    file->path = strdup(path);
-    file->temporary = is_special(path) ? strdup(path) : bl_file_temporary_name(path);
+    // A pipe opened for reading too would not wait for its reader.
+    static const char *const modes[] = {"w+", "w", "a"};
+    target_kind kind = kind_of(path);
+    file->path = resolve(path, kind);
+    if (file->path)
+        file->temporary =
+            kind == TARGET_REPLACED ? bl_file_temporary_name(file->path) : strdup(file->path);
     if (file->path && file->temporary)
-        // A pipe opened for reading too would not wait for its reader.
-        file->stream = fopen(file->temporary, is_special(path) ? "w" : "w+");
+        file->stream = fopen(file->temporary, modes[kind]);
     if (!file->stream) {
         bl_report(message, BL_DEVICE, "cannot write '%s': %s; check the folder and its permissions",
                   path, strerror(errno));

@@ -13,7 +13,8 @@
 //              midpoints of a cube, of length sqrt 2)
 //   lattice    hash, or the text's perm256, which repeats after 256 cells (noises/lattice.h)
 //
-// Units: coordinates in cells. The noise is 0 at the lattice points and its gradient there is g_c.
+// Units: coordinates in cells. The noise is 0 at the lattice points; its gradient there is g_c,
+// but for fade=linear, which has a kink there.
 // Bound: noises/bounds.c. Band, mean, variance: exact, noises/closed_forms.h.
 //
 // Known defects: zeros on the whole lattice, and weaker noise on the lattice planes; slices through

@@ -331,7 +331,7 @@ static void describe(const void *block, bl_facts *facts) {
     facts->bound_proof = bound.proof;
     facts->continuity = p->kernel == KERNEL_EXACT ? 1 : -1;
     facts->period = p->lattice == BL_LATTICE_PERM256 ? 256 : 0;
-    facts->far = 0x1p46; // a double there has steps of 2^-7 of a cell
+    facts->far = 0x1p52;
 }
 
 BL_NOISE_DESCRIPTOR(lattice_convolution) = {

@@ -87,6 +87,26 @@ static bl_status draw(const char *folder, const char *script, const char *prefix
                      *said ? said : "it said nothing");
 }
 
+// gnuplot does not notice a full disk: a picture that was cut short lacks the end of its format.
+static int is_whole(const char *path, const char *ending) {
+    static const struct {
+        const char *ending, *mark;
+        size_t length;
+    } marks[] = {{"svg", "</svg>", 6}, {"png", "IEND", 4}, {"pdf", "%%EOF", 5}};
+    char tail[32] = {0};
+    FILE *stream = fopen(path, "rb");
+    if (!stream)
+        return 0;
+    size_t got = 0;
+    if (fseek(stream, -(long)sizeof tail, SEEK_END) == 0)
+        got = fread(tail, 1, sizeof tail, stream);
+    fclose(stream);
+    for (size_t i = 0; i < sizeof marks / sizeof *marks; i++)
+        if (strcmp(ending, marks[i].ending) == 0)
+            return memmem(tail, got, marks[i].mark, marks[i].length) != NULL;
+    return 0;
+}
+
 static bl_status install(const char *folder, const char *prefix, const char *name,
                          const char *ending, bl_message *message) {
     char *from = NULL, *to = NULL;
@@ -97,8 +117,11 @@ static bl_status install(const char *folder, const char *prefix, const char *nam
         to = NULL;
     if (!from || !to)
         bl_report(message, BL_DEVICE, "out of memory");
-    else
+    else if (is_whole(from, ending))
         status = bl_file_install(from, to, message);
+    else
+        bl_report(message, BL_DEVICE,
+                  "cannot write '%s': gnuplot left it cut short; is the disk full?", to);
     free(from);
     free(to);
     return status;
@@ -123,7 +146,7 @@ bl_status bl_plot_run(const char *folder, const char *name, int with_pdf, bl_mes
     for (int i = 0; i < count; i++) {
         if (status == BL_OK)
             status = install(folder, prefix, name, endings[i], message);
-        else
+        if (status != BL_OK)
             discard(folder, prefix, name, endings[i]);
     }
     free(script);

@@ -126,6 +126,29 @@ static void test_a_file_that_fills_up_half_way_is_removed(void **state) {
     assert_int_equal(files_in_folder(), files);
 }
 
+static void test_a_link_stays_and_what_it_stands_for_is_replaced(void **state) {
+    (void)state;
+    char target[256], text[32];
+    struct stat info;
+    snprintf(target, sizeof target, "%s", path_of("target.csv"));
+    write_file(target, "old\n");
+    assert_int_equal(symlink(target, path_of("link.csv")), 0);
+    write_file(path_of("link.csv"), "new\n");
+    assert_int_equal(lstat(path_of("link.csv"), &info), 0);
+    assert_true(S_ISLNK(info.st_mode));
+    read_back(target, text, sizeof text);
+    assert_string_equal(text, "new\n");
+}
+
+static void test_a_link_to_nothing_is_refused(void **state) {
+    (void)state;
+    bl_file file;
+    bl_message message;
+    assert_int_equal(symlink("nowhere/file", path_of("dangling")), 0);
+    assert_int_equal(bl_file_create(path_of("dangling"), &file, &message), BL_DEVICE);
+    assert_non_null(strstr(message.text, "dangling"));
+}
+
 static void test_folders_are_made_with_their_parents(void **state) {
     (void)state;
     bl_message message;
@@ -155,6 +178,8 @@ int main(void) {
         cmocka_unit_test(test_bad_targets_are_refused_with_their_reason),
         cmocka_unit_test(test_a_full_disk_is_noticed),
         cmocka_unit_test(test_a_file_that_fills_up_half_way_is_removed),
+        cmocka_unit_test(test_a_link_stays_and_what_it_stands_for_is_replaced),
+        cmocka_unit_test(test_a_link_to_nothing_is_refused),
         cmocka_unit_test(test_folders_are_made_with_their_parents),
         cmocka_unit_test(test_temporary_names_differ_and_keep_the_ending),
     };
