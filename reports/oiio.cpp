@@ -82,11 +82,35 @@ std::string real_text(double value) {
     return text;
 }
 
-void put_attributes(const bl_image &image, OIIO::ImageSpec &spec) {
-    for (size_t i = 0; i < image.attribute_count; i++)
-        spec.attribute(image.attributes[i].name, image.attributes[i].value);
+const char spacing_name[] = "bandlimit:spacing";
+
+// TIFF has no room for names of our own; there the description holds a line "name=value" for each.
+void put_attributes(const bl_image &image, Format format, OIIO::ImageSpec &spec) {
+    std::string description;
+    const auto put = [&](const std::string &name, const std::string &value) {
+        spec.attribute(name, value);
+        description += name + "=" + value + "\n";
+    };
     if (image.spacing > 0)
-        spec.attribute("bandlimit:spacing", real_text(image.spacing));
+        put(spacing_name, real_text(image.spacing));
+    for (size_t i = 0; i < image.attribute_count; i++)
+        put(image.attributes[i].name, image.attributes[i].value);
+    if (format == Format::tiff && !description.empty())
+        spec.attribute("ImageDescription", description);
+}
+
+// The text of an attribute that put_attributes wrote, or `otherwise`.
+std::string find_attribute(const OIIO::ImageSpec &spec, const std::string &name,
+                           const std::string &otherwise) {
+    if (spec.find_attribute(name))
+        return std::string{spec.get_string_attribute(name)};
+    const std::string description =
+        "\n" + std::string{spec.get_string_attribute("ImageDescription")};
+    const size_t at = description.find("\n" + name + "=");
+    if (at == std::string::npos)
+        return otherwise;
+    const size_t from = at + name.size() + 2;
+    return description.substr(from, description.find('\n', from) - from);
 }
 
 bool write_values(OIIO::ImageOutput &output, const bl_image &image, Format format, size_t count) {
@@ -114,7 +138,7 @@ OIIO::ImageSpec spec_of(const bl_image &image, Format format, int channels) {
     spec.attribute("DateTime", "1970:01:01 00:00:00");
     if (format == Format::png)
         spec.attribute("oiio:ColorSpace", "sRGB"); // codes are for the eye as they stand
-    put_attributes(image, spec);
+    put_attributes(image, format, spec);
     return spec;
 }
 
@@ -423,7 +447,7 @@ bl_status find_spacing(const OIIO::ImageSpec &spec, const bl_image_source &sourc
     spacing = source.spacing;
     if (spacing > 0)
         return BL_OK;
-    const std::string text{spec.get_string_attribute("bandlimit:spacing", "1")};
+    const std::string text = find_attribute(spec, spacing_name, "1");
     if (bl_read_real(text.c_str(), &spacing) && spacing > 0)
         return BL_OK;
     return bl_report(message, BL_MISMATCH,
