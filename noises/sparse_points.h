@@ -19,7 +19,7 @@
 #include "noises/radial_kernel.h"
 #include "noises/sparse_impulses.h"
 
-enum { POINT_BLOCK = 1024, PLACES = 4, PLACE_CLASSES = PLACES * PLACES * PLACES };
+enum { POINT_BLOCK = 4096, PLACES = 6, PLACE_CLASSES = PLACES * PLACES * PLACES };
 
 typedef struct point_block {
     int count;

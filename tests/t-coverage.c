@@ -99,11 +99,11 @@ static void cover(const bl_signal *signal, unsigned dims, const double *truth, s
 }
 
 static void cover_noises(unsigned dims) {
-    shares all[REGIONS] = {{0, 0, 0}};
+    shares all[REGIONS] = {{0}};
     for (size_t i = 0; i < bl_noise_count(); i++) {
         const char *name = bl_noise_at(i, BL_ISA_BEST)->name;
         bl_signal *signal = NULL;
-        shares regions[REGIONS] = {{0, 0, 0}};
+        shares regions[REGIONS] = {{0}};
         assert_int_equal(bl_noise_open(name, BL_ISA_BEST, &signal, NULL), BL_OK);
         if (bl_signal_has_closed_form(signal)) {
             cover(signal, dims, NULL, regions);
@@ -140,7 +140,7 @@ static void test_bands_of_white_noise_are_not_too_wide(void **state) {
     (void)state;
     bl_signal *white = bl_test_white(1);
     for (unsigned dims = 1; dims <= 3; dims++) {
-        shares regions[REGIONS] = {{0, 0, 0}};
+        shares regions[REGIONS] = {{0}};
         bl_psd_settings settings = small_settings(dims);
         static const double rates[] = {0, 16, 8, 4};
         double truth[257];
