@@ -138,6 +138,11 @@ static void describe(const void *block, bl_facts *facts) {
         fabs(p->gradient) * bl_bound_gradient(weight, p->gradients == BL_GRADIENTS_EDGES).value;
     facts->lower = -facts->upper;
     facts->bound_proof = "the weighted sum of the bounds of vnoise and gnoise";
+    // The lower class of the two; a part of weight 0 takes nothing away.
+    if (p->value == 0)
+        value_class = gradient_class;
+    else if (p->gradient == 0)
+        gradient_class = value_class;
     facts->continuity = value_class < gradient_class ? value_class : gradient_class;
     facts->period = p->lattice == BL_LATTICE_PERM256 ? 256 : 0;
     facts->far = 0x1p52;
