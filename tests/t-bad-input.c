@@ -206,8 +206,18 @@ static void fill_up(size_t most_bytes, const char *path, const bad_input *bad) {
     }
 }
 
+// The thread sanitizer keeps its own memory in a file, and dies with the bound on the size of files
+// that stands for a full disk here.
+#ifdef __has_feature
+#define FILES_MAY_NOT_BE_BOUNDED __has_feature(thread_sanitizer)
+#else
+#define FILES_MAY_NOT_BE_BOUNDED 0
+#endif
+
 static void test_a_disk_that_fills_up_leaves_nothing(void **state) {
     (void)state;
+    if (FILES_MAY_NOT_BE_BOUNDED)
+        skip();
     static const char *const images[] = {"a.png", "a.exr", "a.tif"};
     for (int i = 0; i < 3; i++) {
         const char *path = bl_test_path(images[i]);
@@ -224,6 +234,8 @@ static void test_a_disk_that_fills_up_leaves_nothing(void **state) {
 
 static void test_figures_on_a_full_disk_leave_no_part(void **state) {
     (void)state;
+    if (FILES_MAY_NOT_BE_BOUNDED)
+        skip();
     const char *out = bl_test_path("out");
     const bl_streams full = {.most_bytes = 4096};
     const bad_input bad = {
