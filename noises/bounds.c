@@ -75,3 +75,12 @@ bl_bound bl_bound_sparse_convolution(unsigned table) {
                       "amplitudes below 1; the sum over the cells of the largest "
                       "|K| in each, certified by branch and bound"};
 }
+
+void bl_lattice_describe(bl_bound bound, int continuity, int repeats, bl_facts *facts) {
+    facts->lower = -bound.value;
+    facts->upper = bound.value;
+    facts->bound_proof = bound.proof;
+    facts->continuity = continuity;
+    facts->period = repeats ? 256 : 0;
+    facts->far = 0x1p52; // from here on doubles are whole numbers
+}

@@ -75,4 +75,9 @@ bl_bound bl_bound_hermite(void);                         // values and tangents 
 bl_bound bl_bound_lattice_convolution(unsigned table);
 bl_bound bl_bound_sparse_convolution(unsigned table); // any number of impulses a cell
 
+// The facts that every lattice noise states alike: a range of that bound on both sides of 0, the
+// class, the period (of lattice=perm256 if `repeats`, else none), and where a double loses the
+// fraction.
+void bl_lattice_describe(bl_bound bound, int continuity, int repeats, bl_facts *facts);
+
 #endif

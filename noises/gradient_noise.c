@@ -88,12 +88,8 @@ static void describe(const void *block, bl_facts *facts) {
     bl_kernel weight = bl_gradient_weights[p->fade];
     bl_bound bound = bl_bound_gradient(weight, p->gradients == BL_GRADIENTS_EDGES);
     bl_terms_describe(&terms, has_closed_form(block), facts);
-    facts->lower = -bound.value;
-    facts->upper = bound.value;
-    facts->bound_proof = bound.proof;
-    facts->continuity = bl_kernel_continuity(weight);
-    facts->period = p->lattice == BL_LATTICE_PERM256 ? 256 : 0;
-    facts->far = 0x1p52;
+    bl_lattice_describe(bound, bl_kernel_continuity(weight), p->lattice == BL_LATTICE_PERM256,
+                        facts);
 }
 
 static float textbook_corner(int ix, int iy, int iz, float fx, float fy, float fz) {

@@ -280,12 +280,7 @@ static void describe(const void *block, bl_facts *facts) {
     bl_terms terms = terms_of();
     bl_bound bound = bl_bound_hermite();
     bl_terms_describe(&terms, has_closed_form(block), facts);
-    facts->lower = -bound.value;
-    facts->upper = bound.value;
-    facts->bound_proof = bound.proof;
-    facts->continuity = 1;
-    facts->period = p->lattice == BL_LATTICE_PERM256 ? 256 : 0;
-    facts->far = 0x1p52;
+    bl_lattice_describe(bound, 1, p->lattice == BL_LATTICE_PERM256, facts);
 }
 
 static const bl_parameter parameters[] = {

@@ -25,10 +25,6 @@ const bl_kernel_shape bl_kernel_shapes[BL_KERNEL_COUNT] = {
 };
 // clang-format on
 
-const char *bl_kernel_name(bl_kernel kernel) {
-    return bl_kernel_shapes[kernel].name;
-}
-
 int bl_kernel_is_odd(bl_kernel kernel) {
     return bl_kernel_shapes[kernel].odd;
 }

@@ -33,7 +33,6 @@ typedef enum bl_kernel {
     BL_KERNEL_COUNT
 } bl_kernel;
 
-const char *bl_kernel_name(bl_kernel kernel);
 int bl_kernel_is_odd(bl_kernel kernel);
 double bl_kernel_support(bl_kernel kernel);
 int bl_kernel_continuity(bl_kernel kernel);
@@ -49,6 +48,5 @@ enum { BL_RADIAL_REACH = 4 }; // of its correlation
 double bl_radial_value(double distance);
 double bl_radial_transform(double frequency);  // its 3-D transform at |f|
 double bl_radial_correlation(double distance); // int K(|x|) K(|x + d|) dx over space
-int bl_radial_continuity(void);
 
 #endif

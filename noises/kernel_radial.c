@@ -25,10 +25,6 @@ double bl_radial_value(double distance) {
     return bl_kernel_value(BL_KERNEL_CATMULL_ROM, distance);
 }
 
-int bl_radial_continuity(void) {
-    return bl_kernel_continuity(BL_KERNEL_CATMULL_ROM);
-}
-
 // The quotient holds for every f but 0: the sine transform is proportional to f near 0.
 double bl_radial_transform(double frequency) {
     double f = fabs(frequency);

@@ -220,12 +220,8 @@ static void describe(const void *block, bl_facts *facts) {
     bl_terms terms = terms_of(p);
     bl_terms_describe(&terms, has_closed_form(block), facts);
     bl_bound bound = bl_bound_sparse_convolution(p->kernel == KERNEL_EXACT ? 0 : p->table_rate);
-    facts->lower = -bound.value;
-    facts->upper = bound.value;
-    facts->bound_proof = bound.proof;
-    facts->continuity = p->kernel == KERNEL_EXACT ? 1 : -1;
-    facts->period = p->lattice == BL_LATTICE_PERM256 ? 256 : 0;
-    facts->far = 0x1p52;
+    bl_lattice_describe(bound, p->kernel == KERNEL_EXACT ? 1 : -1, p->lattice == BL_LATTICE_PERM256,
+                        facts);
 }
 
 BL_NOISE_DESCRIPTOR(sparse_convolution) = {

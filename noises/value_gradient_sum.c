@@ -133,19 +133,17 @@ static void describe(const void *block, bl_facts *facts) {
     bl_kernel kernel = bl_value_kernels[p->interp], weight = bl_gradient_weights[p->fade];
     int value_class = bl_kernel_continuity(kernel), gradient_class = bl_kernel_continuity(weight);
     bl_terms_describe(&terms, has_closed_form(block), facts);
-    facts->upper =
+    double bound =
         fabs(p->value) * bl_bound_value(kernel).value +
         fabs(p->gradient) * bl_bound_gradient(weight, p->gradients == BL_GRADIENTS_EDGES).value;
-    facts->lower = -facts->upper;
-    facts->bound_proof = "the weighted sum of the bounds of vnoise and gnoise";
     // The lower class of the two; a part of weight 0 takes nothing away.
     if (p->value == 0)
         value_class = gradient_class;
     else if (p->gradient == 0)
         gradient_class = value_class;
-    facts->continuity = value_class < gradient_class ? value_class : gradient_class;
-    facts->period = p->lattice == BL_LATTICE_PERM256 ? 256 : 0;
-    facts->far = 0x1p52;
+    int continuity = value_class < gradient_class ? value_class : gradient_class;
+    bl_lattice_describe((bl_bound){bound, "the weighted sum of the bounds of vnoise and gnoise"},
+                        continuity, p->lattice == BL_LATTICE_PERM256, facts);
 }
 
 static const bl_parameter parameters[] = {

@@ -86,12 +86,8 @@ static void describe(const void *block, bl_facts *facts) {
     bl_kernel kernel = bl_value_kernels[p->interp];
     bl_bound bound = bl_bound_value(kernel);
     bl_terms_describe(&terms, has_closed_form(block), facts);
-    facts->lower = -bound.value;
-    facts->upper = bound.value;
-    facts->bound_proof = bound.proof;
-    facts->continuity = bl_kernel_continuity(kernel);
-    facts->period = p->lattice == BL_LATTICE_PERM256 ? 256 : 0;
-    facts->far = 0x1p52;
+    bl_lattice_describe(bound, bl_kernel_continuity(kernel), p->lattice == BL_LATTICE_PERM256,
+                        facts);
 }
 
 // The text's spline through n knots, with all its generality.
