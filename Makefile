@@ -19,7 +19,7 @@ SOVERSION := 0
 
 NOISES := $(shell sed -n 's/^BL_NOISE(\(.*\))/\1/p' noises/noises.def)
 ISAS := baseline v3 v4
-LIBRARY_C := $(wildcard core/*.c spectra/*.c reports/*.c reports/figures/*.c) \
+LIBRARY_C := $(wildcard core/*.c spectra/*.c score/*.c reports/*.c reports/figures/*.c) \
     $(filter-out $(NOISES:%=noises/%.c),$(wildcard noises/*.c))
 LIBRARY_OBJECTS := $(LIBRARY_C:%.c=$(BUILD)/%.o) $(BUILD)/reports/oiio.o \
     $(foreach isa,$(ISAS),$(NOISES:%=$(BUILD)/noises/%.$(isa).o))

@@ -8,7 +8,7 @@
 
 #include "cli/bench.h"
 #include "core/random.h"
-#include "spectra/fft.h"
+#include "core/fft.h"
 #include "spectra/memory.h"
 #include "spectra/psd.h"
 

@@ -13,7 +13,7 @@
 #include "reports/experiment.h"
 #include "reports/source.h"
 
-static const char *const kinds[] = {"seed", "integer", "real", "choice"};
+static const char *const kinds[] = {"seed", "integer", "real", "choice", "list", "text", "signal"};
 
 static const char *continuity_word(int continuity) {
     static const char *const words[] = {"discontinuous", "C0", "C1", "C2", "C3", "C4"};
@@ -29,7 +29,8 @@ static json_t *parameters_json(const bl_parameter *parameter) {
         bl_json_set_text(object, "kind", kinds[parameter->kind]);
         bl_json_set_text(object, "default", parameter->fallback);
         bl_json_set_text(object, "unit", parameter->unit ? parameter->unit : "");
-        if (parameter->kind == BL_INTEGER || parameter->kind == BL_REAL) {
+        if (parameter->kind == BL_INTEGER || parameter->kind == BL_REAL ||
+            parameter->kind == BL_LIST) {
             bl_json_set_number(object, "minimum", parameter->minimum);
             bl_json_set_number(object, "maximum", parameter->maximum);
         }
@@ -50,6 +51,10 @@ static void range_text(const bl_parameter *parameter, char *text, size_t size) {
     *text = '\0';
     if (parameter->kind == BL_SEED)
         snprintf(text, size, "0 to 2^64-1");
+    else if (parameter->kind == BL_TEXT)
+        snprintf(text, size, "a path");
+    else if (parameter->kind == BL_NESTED)
+        snprintf(text, size, "any noise, its keys as %s.KEY", parameter->key);
     else if (parameter->kind != BL_CHOICE)
         snprintf(text, size, "%.10g to %.10g", parameter->minimum, parameter->maximum);
     else
@@ -80,7 +85,8 @@ static void facts_json(json_t *object, const bl_signal *signal) {
     bl_json_set_numbers(list, "band_cycles_per_unit", isfinite(band[0]) ? band : NULL, 2);
     bl_json_set_number(list, "leak_db", facts->leak_db);
     bl_json_set_text(list, "continuity", continuity_word(facts->continuity));
-    bl_json_set_number(list, "period", facts->period);
+    bl_json_set_numbers(list, "period", isnan(facts->period[0]) ? NULL : facts->period,
+                        signal->dimensions);
     bl_json_set_number(list, "far", facts->far);
     json_object_set_new(list, "closed_form", json_boolean(bl_signal_has_closed_form(signal)));
     json_object_set_new(object, "facts", list);
@@ -91,6 +97,22 @@ static void print_fact(FILE *out, const char *name, double number, const char *u
         fprintf(out, "  %-12s not stated\n", name);
     else
         fprintf(out, "  %-12s %.9g%s\n", name, number + 0.0, unit); // -0 is 0
+}
+
+static void print_period(FILE *out, const double *period, unsigned dimensions) {
+    int any = 0, known = 1;
+    for (unsigned a = 0; a < dimensions; a++) {
+        any |= period[a] > 0;
+        known &= !isnan(period[a]);
+    }
+    fprintf(out, "  %-12s ", "period");
+    if (!known || !any) {
+        fputs(known ? "none\n" : "not stated\n", out);
+        return;
+    }
+    for (unsigned a = 0; a < dimensions; a++)
+        fprintf(out, "%s%.9g", a ? ", " : "", period[a]);
+    fputs(" units\n", out);
 }
 
 static void print_facts(FILE *out, const bl_signal *signal) {
@@ -118,10 +140,7 @@ static void print_facts(FILE *out, const bl_signal *signal) {
     else
         fprintf(out, "  %-12s no claim\n", "band");
     fprintf(out, "  %-12s %s\n", "continuity", continuity_word(facts->continuity));
-    if (facts->period > 0)
-        print_fact(out, "period", facts->period, " units");
-    else
-        fprintf(out, "  %-12s none\n", "period");
+    print_period(out, facts->period, signal->dimensions);
     print_fact(out, "far", facts->far, " units: beyond it the fraction within a cell is lost");
     fprintf(out, "  %-12s %s\n", "spectrum",
             bl_signal_has_closed_form(signal) ? "closed form" : "no closed form");

@@ -93,6 +93,29 @@ void bl_spec_free(bl_spec *spec) {
     *spec = (bl_spec){0};
 }
 
+static int is_number(const char *at, size_t length) {
+    char buffer[64];
+    double unused;
+    if (length >= sizeof buffer)
+        return 0;
+    memcpy(buffer, at, length);
+    buffer[length] = '\0';
+    return bl_read_real(buffer, &unused);
+}
+
+// Appends a comma and a number to the value: a list.
+static int extend_value(bl_setting *setting, const char *at, size_t length) {
+    size_t old = strlen(setting->value);
+    char *longer = realloc(setting->value, old + length + 2);
+    if (!longer)
+        return 0;
+    longer[old] = ',';
+    memcpy(longer + old + 1, at, length);
+    longer[old + 1 + length] = '\0';
+    setting->value = longer;
+    return 1;
+}
+
 static bl_status add_setting(bl_spec *spec, const char *text, const char *at, size_t length,
                              bl_message *message) {
     size_t column = (size_t)(at - text) + 1;
@@ -100,6 +123,10 @@ static bl_status add_setting(bl_spec *spec, const char *text, const char *at, si
     if (length == 0)
         return bl_report(message, BL_USAGE, "column %zu of '%s': expected key=value, found nothing",
                          column, text);
+    if (!equals && spec->count > 0 && is_number(at, length))
+        return extend_value(&spec->settings[spec->count - 1], at, length)
+                   ? BL_OK
+                   : bl_report(message, BL_DEVICE, "out of memory reading '%s'", text);
     if (!equals || equals == at || equals + 1 == at + length)
         return bl_report(message, BL_USAGE, "'%.*s' at column %zu of '%s': expected key=value",
                          (int)length, at, column, text);

@@ -2,8 +2,10 @@
 //
 // The grammar that names a signal everywhere: `name:key=value,key=value`.
 //
-// The name ends at the first colon; a value may hold further colons (kernel=table:100) but no
-// comma. A parse error names the word, its column (from 1), and the nearest valid word.
+// The name ends at the first colon; a value may hold further colons (kernel=table:100). A comma
+// begins the next setting, but for a number alone, which goes on with a list (period=4,8,16). A
+// signal within a signal has its settings under dotted keys: basis=gnoise,basis.fade=quintic. A
+// parse error names the word, its column (from 1), and the nearest valid word.
 #ifndef BL_CORE_GRAMMAR_H
 #define BL_CORE_GRAMMAR_H
 
@@ -33,19 +35,26 @@ typedef enum bl_parameter_kind {
     BL_SEED,    // uint64_t, decimal or 0x hexadecimal
     BL_INTEGER, // uint32_t in [minimum, maximum]
     BL_REAL,    // double in [minimum, maximum]; a fraction as 1/16 is read too
-    BL_CHOICE   // uint32_t, the index in choices; a choice "table:N" is followed by a number
+    BL_CHOICE,  // uint32_t, the index in choices; a choice "table:N" is followed by a number
+    BL_LIST,    // uint32_t[BL_LIST_SIZE] in [minimum, maximum], one an axis; a single number stands
+                // for all, and numbers left out at the end are 0
+    BL_TEXT,    // char[BL_TEXT_SIZE], a word of the user's: a path
+    BL_NESTED   // char[BL_TEXT_SIZE], the text of another signal, made of key=NAME and all key.*
 } bl_parameter_kind;
+
+enum { BL_LIST_SIZE = 4, BL_TEXT_SIZE = 512 };
 
 typedef struct bl_parameter {
     const char *key; // NULL ends a list
     bl_parameter_kind kind;
-    size_t offset;              // in the parameter block
-    const char *const *choices; // BL_CHOICE: the words, NULL at the end
-    size_t number_offset;       // BL_CHOICE with ":N": where the uint32_t N stands
-    double minimum, maximum;    // BL_INTEGER, BL_REAL, and the N of a choice; inclusive
-    const char *fallback;       // the default, as text
-    const char *unit;           // "" if none
-    const char *help;           // one line
+    size_t offset;               // in the parameter block
+    const char *const *choices;  // BL_CHOICE: the words, NULL at the end
+    size_t number_offset;        // BL_CHOICE with ":N": where the uint32_t N stands
+    double minimum, maximum;     // BL_INTEGER, BL_REAL, BL_LIST, and the N of a choice; inclusive
+    const char *fallback;        // the default, as text
+    const char *unit;            // "" if none
+    const char *help;            // one line
+    const char *const *examples; // optional: values that the tests try besides; NULL at the end
 } bl_parameter;
 
 // Fills a parameter block with the defaults, then with the settings of the spec. Every setting
@@ -58,8 +67,9 @@ bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec
 // the list. The caller frees it; NULL if out of memory.
 char *bl_parameters_text(const char *name, const bl_parameter *parameters, const void *block);
 
-// The candidate nearest to a word by edit distance, whatever the case of the letters, or NULL if none is near (more than half of
-// the word's letters would have to change). `candidates` ends with NULL.
+// The candidate nearest to a word by edit distance, whatever the case of the letters, or NULL if
+// none is near (more than half of the word's letters would have to change). `candidates` ends with
+// NULL.
 const char *bl_nearest(const char *word, const char *const *candidates);
 
 // Reads a whole word as a number: false on trailing letters, on nothing, and out of range.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The 64-bit integer hash behind the generator, the streams of a seed, and everything that is drawn
-// once. The lattices, which are drawn from at every sample, have a shorter hash of their own, seeded
-// by this one (noises/lattice.h).
+// once. The lattices, which are drawn from at every sample, have a shorter hash of their own,
+// seeded by this one (noises/lattice.h).
 //
 //   mix(x): three rounds of xor-shift, two odd multiplications between them; a bijection of the
 //   64-bit integers. Every input bit flips every output bit with probability 1/2 to within what
@@ -31,6 +31,12 @@ static inline uint64_t bl_mix(uint64_t x) {
 // seeds, share nothing that the tests can find.
 static inline uint64_t bl_stream(uint64_t seed, uint64_t stream) {
     return bl_mix(bl_mix(seed + BL_GOLDEN) ^ (stream * BL_ROOT_TWO + BL_GOLDEN));
+}
+
+// The seed of one of the independent components of a vector-valued noise: component 0 is the noise
+// itself, the others are the same noise of other seeds. Streams from 2^32 on serve nothing else.
+static inline uint64_t bl_component_seed(uint64_t seed, unsigned component) {
+    return component ? bl_stream(seed, (UINT64_C(1) << 32) + component) : seed;
 }
 
 #endif

@@ -85,6 +85,64 @@ static bl_status read_choice(const bl_parameter *parameter, const char *value, p
     return report_choice(parameter, value, at, message);
 }
 
+static bl_status read_list(const bl_parameter *parameter, const char *value, place at, void *target,
+                           bl_message *message) {
+    uint32_t list[BL_LIST_SIZE] = {0};
+    size_t count = 0;
+    for (const char *word = value; word; count++) {
+        const char *comma = strchr(word, ',');
+        char one[32];
+        size_t length = comma ? (size_t)(comma - word) : strlen(word);
+        snprintf(one, sizeof one, "%.*s", (int)(length < 31 ? length : 31), word);
+        if (count == BL_LIST_SIZE)
+            return report_value(parameter, value, at, "4 numbers at most, one an axis", message);
+        bl_status status =
+            read_integer(parameter, one, (place){at.text, at.column + (size_t)(word - value)},
+                         &list[count], message);
+        if (status != BL_OK)
+            return status;
+        word = comma ? comma + 1 : NULL;
+    }
+    for (size_t i = 1; count == 1 && i < BL_LIST_SIZE; i++)
+        list[i] = list[0];
+    memcpy(target, list, sizeof list);
+    return BL_OK;
+}
+
+static bl_status read_text(const bl_parameter *parameter, const char *value, place at, char *target,
+                           bl_message *message) {
+    if (strlen(value) >= BL_TEXT_SIZE)
+        return report_value(parameter, value, at, "a text of less than 512 letters", message);
+    snprintf(target, BL_TEXT_SIZE, "%s", value);
+    return BL_OK;
+}
+
+// Whether a key is `parameter` itself, or one of the dotted keys of a nested signal.
+static int key_belongs(const bl_parameter *parameter, const char *key) {
+    size_t length = strlen(parameter->key);
+    return strncmp(key, parameter->key, length) == 0 &&
+           (key[length] == '\0' || (parameter->kind == BL_NESTED && key[length] == '.'));
+}
+
+// Appends a dotted setting to the text of the nested signal.
+static bl_status read_nested(const bl_parameter *parameter, const bl_setting *setting,
+                             const char *text, void *block, bl_message *message) {
+    char *target = (char *)block + parameter->offset;
+    const char *key = setting->key + strlen(parameter->key) + 1;
+    size_t used = strlen(target);
+    if (!*key)
+        return bl_report(message, BL_USAGE,
+                         "'%s' at column %zu of '%s': expected a key after the "
+                         "dot",
+                         setting->key, setting->key_column, text);
+    int length = snprintf(target + used, BL_TEXT_SIZE - used, "%c%s=%s",
+                          strchr(target, ':') ? ',' : ':', key, setting->value);
+    if (length < 0 || used + (size_t)length >= BL_TEXT_SIZE)
+        return bl_report(message, BL_USAGE, "'%s' at column %zu of '%s': too long", setting->key,
+                         setting->key_column, text);
+    return BL_OK;
+}
+
 static bl_status read_value(const bl_parameter *parameter, const char *value, place at, void *block,
                             bl_message *message) {
     char *target = (char *)block + parameter->offset;
@@ -113,6 +171,13 @@ static bl_status read_value(const bl_parameter *parameter, const char *value, pl
     case BL_CHOICE:
         status = read_choice(parameter, value, at, block, message);
         break;
+    case BL_LIST:
+        status = read_list(parameter, value, at, target, message);
+        break;
+    case BL_TEXT:
+    case BL_NESTED:
+        status = read_text(parameter, value, at, target, message);
+        break;
     }
     return status;
 }
@@ -132,9 +197,21 @@ static bl_status report_key(const bl_parameter *parameters, const bl_setting *se
                      near ? near : "", near ? "'? All" : ";", all);
 }
 
+static bl_status read_dotted(const bl_parameter *parameters, const bl_spec *spec, const char *text,
+                             void *block, bl_message *message) {
+    bl_status status = BL_OK;
+    for (size_t i = 0; i < spec->count && status == BL_OK; i++)
+        for (const bl_parameter *parameter = parameters; parameter->key; parameter++)
+            if (key_belongs(parameter, spec->settings[i].key) &&
+                strcmp(parameter->key, spec->settings[i].key) != 0)
+                status = read_nested(parameter, &spec->settings[i], text, block, message);
+    return status;
+}
+
 bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec, const char *text,
                              void *block, bl_message *message) {
     unsigned char seen[MOST_PARAMETERS] = {0};
+    int dotted = 0;
     for (const bl_parameter *parameter = parameters; parameter->key; parameter++) {
         bl_status status =
             read_value(parameter, parameter->fallback, (place){"default", 0}, block, message);
@@ -144,10 +221,14 @@ bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec
     for (size_t i = 0; i < spec->count; i++) {
         const bl_setting *setting = &spec->settings[i];
         size_t index = 0;
-        while (parameters[index].key && strcmp(parameters[index].key, setting->key) != 0)
+        while (parameters[index].key && !key_belongs(&parameters[index], setting->key))
             index++;
         if (!parameters[index].key)
             return report_key(parameters, setting, text, message);
+        if (strcmp(parameters[index].key, setting->key) != 0) {
+            dotted = 1; // after the names, which may come later
+            continue;
+        }
         if (seen[index]++)
             return bl_report(message, BL_USAGE, "key '%s' at column %zu of '%s' is given twice",
                              setting->key, setting->key_column, text);
@@ -156,7 +237,7 @@ bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec
         if (status != BL_OK)
             return status;
     }
-    return BL_OK;
+    return dotted ? read_dotted(parameters, spec, text, block, message) : BL_OK;
 }
 
 // The shortest decimal that reads back as the same double.
@@ -165,6 +246,36 @@ static void print_real(double value, char *out, size_t size) {
         snprintf(out, size, "%.*g", digits, value);
         if (strtod(out, NULL) == value)
             return;
+    }
+}
+
+// All four numbers but the zeros at the end, or one where all are the same.
+static void print_list(const char *source, char *out, size_t size) {
+    uint32_t list[BL_LIST_SIZE];
+    size_t count = BL_LIST_SIZE, used = 0;
+    memcpy(list, source, sizeof list);
+    while (count > 2 && list[count - 1] == 0)
+        count--;
+    if (list[0] == list[1] && list[1] == list[2] && list[2] == list[3])
+        count = 1;
+    for (size_t i = 0; i < count; i++)
+        used += (size_t)snprintf(out + used, size - used, "%s%" PRIu32, i ? "," : "", list[i]);
+}
+
+// "gnoise:fade=quintic,seed=3" of a key basis: "gnoise,basis.fade=quintic,basis.seed=3".
+static void print_nested(const bl_parameter *parameter, const char *source, char *out,
+                         size_t size) {
+    size_t used = 0;
+    int starts_key = 0;
+    for (; *source && used + strlen(parameter->key) + 3 < size; source++) {
+        // A number alone goes on with a list; the rest after a comma is a setting.
+        starts_key = (used && *source == ':' && !strchr(out, ',')) ||
+                     (*source == ',' && strcspn(source + 1, "=") < strcspn(source + 1, ","));
+        if (starts_key)
+            used += (size_t)snprintf(out + used, size - used, ",%s.", parameter->key);
+        else
+            out[used++] = *source;
+        out[used] = '\0';
     }
 }
 
@@ -198,16 +309,28 @@ static void print_value(const bl_parameter *parameter, const void *block, char *
         }
         break;
     }
+    case BL_LIST:
+        print_list(source, out, size);
+        break;
+    case BL_TEXT:
+        snprintf(out, size, "%s", source);
+        break;
+    case BL_NESTED:
+        print_nested(parameter, source, out, size);
+        break;
     }
 }
 
-// Whether a printed value says the same as the default, which may be written otherwise (1/2, 0x10).
+// Whether a printed value says the same as the default, which may be written otherwise (1/2,
+// 0x10).
 static int is_default(const bl_parameter *parameter, const char *value) {
     double real, fallback;
     unsigned long long number, other;
     if (parameter->kind == BL_REAL)
         return bl_read_real(value, &real) && bl_read_real(parameter->fallback, &fallback) &&
                real == fallback;
+    if (parameter->kind == BL_TEXT || parameter->kind == BL_NESTED || parameter->kind == BL_LIST)
+        return strcmp(value, parameter->fallback) == 0;
     if (parameter->kind == BL_SEED || parameter->kind == BL_INTEGER)
         return bl_read_unsigned(value, &number) && bl_read_unsigned(parameter->fallback, &other) &&
                number == other;
@@ -223,7 +346,7 @@ char *bl_parameters_text(const char *name, const bl_parameter *parameters, const
     fputs(name, stream);
     char separator = ':';
     for (const bl_parameter *parameter = parameters; parameter->key; parameter++) {
-        char value[128];
+        char value[2 * BL_TEXT_SIZE];
         print_value(parameter, block, value, sizeof value);
         if (is_default(parameter, value))
             continue;

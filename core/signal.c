@@ -14,7 +14,8 @@ bl_facts bl_facts_unknown(void) {
                       .band_to = NAN,
                       .leak_db = NAN,
                       .continuity = -1,
-                      .period = NAN,
+                      .period = {NAN, NAN, NAN, NAN},
+                      .cell = NAN,
                       .far = NAN,
                       .covariance_reach = NAN};
 }
@@ -41,14 +42,35 @@ bl_signal *bl_signal_new(const bl_signal_functions *functions, const void *param
     return signal;
 }
 
+// Frees the signal, but nothing that its block refers to.
+static void discard(bl_signal *signal) {
+    if (!signal)
+        return;
+    free(signal->parameters);
+    free(signal->text);
+    free(signal);
+}
+
+bl_status bl_signal_build(bl_signal *signal, bl_message *message) {
+    bl_status status = BL_OK;
+    if (signal->functions->build)
+        status = signal->functions->build(signal->parameters, message);
+    if (status != BL_OK)
+        discard(signal);
+    return status;
+}
+
 bl_signal *bl_signal_reseed(const bl_signal *signal, uint64_t seed) {
-    if (signal->seed_offset == SIZE_MAX || signal->functions->release)
+    const bl_signal_functions *functions = signal->functions;
+    if (signal->seed_offset == SIZE_MAX || (functions->release && !functions->build))
         return NULL;
     bl_signal *copy =
         bl_signal_new(signal->functions, signal->parameters, signal->parameters_size, signal->text);
     if (!copy)
         return NULL;
     memcpy((char *)copy->parameters + signal->seed_offset, &seed, sizeof seed);
+    if (bl_signal_build(copy, NULL) != BL_OK)
+        return NULL;
     copy->seed_offset = signal->seed_offset;
     copy->dimensions = signal->dimensions;
     copy->name = signal->name;
@@ -59,13 +81,9 @@ bl_signal *bl_signal_reseed(const bl_signal *signal, uint64_t seed) {
 }
 
 void bl_signal_free(bl_signal *signal) {
-    if (!signal)
-        return;
-    if (signal->functions->release)
+    if (signal && signal->functions->release)
         signal->functions->release(signal->parameters);
-    free(signal->parameters);
-    free(signal->text);
-    free(signal);
+    discard(signal);
 }
 
 int bl_signal_has_closed_form(const bl_signal *signal) {

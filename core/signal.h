@@ -41,8 +41,12 @@ typedef struct bl_signal_functions {
     double (*density)(const void *parameters, const double frequency[BL_AXES]);
     // Optional: the mean over a box of the given widths centred at a point.
     double (*box)(const void *parameters, const double at[BL_AXES], const double width[BL_AXES]);
-    // Optional: releases what the parameter block refers to (not the block itself). A signal
-    // that has it cannot be reseeded by copying its block.
+    // Optional: makes what the parameter block refers to (a tile, another signal) from the settings
+    // in it. The library calls it once for a block, on opening and on reseeding; a failed call
+    // leaves nothing to release.
+    bl_status (*build)(void *parameters, bl_message *message);
+    // Optional: releases what `build` made (not the block itself). A signal that has it, and no
+    // `build`, cannot be reseeded.
     void (*release)(void *parameters);
 } bl_signal_functions;
 
@@ -54,9 +58,12 @@ typedef struct bl_facts {
     double band_from, band_to; // the claimed band, cycles per unit, of a spectrum along an axis ...
     double leak_db;            // ... and the share of variance outside of it, dB of the variance
     int continuity;            // -1 discontinuous, 0 for C0, 1 for C1, ...
-    double period;             // the smallest common period of all axes; 0: none
+    double period[BL_AXES];    // the smallest period along each axis; 0: none
+    double cell;               // the distance of the planes of its lattice; 0: it has none
     double far;                // the coordinate beyond which the fraction within a cell is lost
     double covariance_reach;   // lags with a component beyond it have no covariance
+    int stationary;            // 1: claims the same mean and variance all over its cell
+    int isotropic;             // 1: claims a spectrum without a direction in all its dimensions
 } bl_facts;
 
 // The grid of a sampled signal (an image); sizes 0 for a signal without one.
@@ -85,8 +92,13 @@ bl_facts bl_facts_unknown(void);
 bl_signal *bl_signal_new(const bl_signal_functions *functions, const void *parameters,
                          size_t parameters_size, const char *text);
 
-// A copy of the signal that draws from another seed; for a signal without a seed, or one that
-// cannot be copied, NULL and the caller goes on with the original (it moves to a fresh place).
+// Builds what the block refers to, for the one who just made the signal; on failure the signal is
+// freed.
+bl_status bl_signal_build(bl_signal *signal, bl_message *message);
+
+// A copy of the signal that draws from another seed; for a signal without a seed, one that cannot
+// be copied, or out of memory, NULL and the caller goes on with the original (it moves to a fresh
+// place).
 bl_signal *bl_signal_reseed(const bl_signal *signal, uint64_t seed);
 
 // Releases the signal and all it owns; NULL is fine.

@@ -76,11 +76,18 @@ bl_bound bl_bound_sparse_convolution(unsigned table) {
                       "|K| in each, certified by branch and bound"};
 }
 
-void bl_lattice_describe(bl_bound bound, int continuity, int repeats, bl_facts *facts) {
+void bl_lattice_describe(bl_bound bound, int continuity, const bl_lattice_settings *lattice,
+                         bl_facts *facts) {
     facts->lower = -bound.value;
     facts->upper = bound.value;
     facts->bound_proof = bound.proof;
     facts->continuity = continuity;
-    facts->period = repeats ? 256 : 0;
+    for (int axis = 0; axis < BL_AXES; axis++) {
+        uint32_t period = lattice->period[axis];
+        if (lattice->kind == BL_LATTICE_PERM256 && period % 256 == 0)
+            period = 256; // of the index of the text, whose argument is taken modulo 256
+        facts->period[axis] = period;
+    }
+    facts->cell = 1;
     facts->far = 0x1p52; // from here on doubles are whole numbers
 }

@@ -22,6 +22,7 @@
 
 #include "core/signal.h"
 #include "noises/kernel.h"
+#include "noises/lattice.h"
 
 enum { BL_TERMS_MOST = 12 };
 
@@ -76,8 +77,8 @@ bl_bound bl_bound_lattice_convolution(unsigned table);
 bl_bound bl_bound_sparse_convolution(unsigned table); // any number of impulses a cell
 
 // The facts that every lattice noise states alike: a range of that bound on both sides of 0, the
-// class, the period (of lattice=perm256 if `repeats`, else none), and where a double loses the
-// fraction.
-void bl_lattice_describe(bl_bound bound, int continuity, int repeats, bl_facts *facts);
+// class, the periods of the lattice, its cell, and where a double loses the fraction.
+void bl_lattice_describe(bl_bound bound, int continuity, const bl_lattice_settings *lattice,
+                         bl_facts *facts);
 
 #endif

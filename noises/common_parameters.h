@@ -10,20 +10,45 @@
 #include "core/grammar.h"
 
 static const char *const bl_lattice_choices[] = {"hash", "perm256", NULL};
+static const char *const bl_period_examples[] = {"4,8,16", "1", "5,0,300,7", NULL};
 
-// uint64_t seed; `what` it chooses, in words.
-#define BL_SEED_PARAMETER(block, what)                                                             \
+// uint64_t `field`; `what` it chooses, in words.
+#define BL_SEED_PARAMETER(block, field, what)                                                      \
     {                                                                                              \
-        .key = "seed", .kind = BL_SEED, .offset = offsetof(block, seed), .fallback = "0",          \
+        .key = "seed", .kind = BL_SEED, .offset = offsetof(block, field), .fallback = "0",         \
         .unit = "", .help = "chooses " what                                                        \
     }
 
-// uint32_t lattice, a bl_lattice_kind.
-#define BL_LATTICE_PARAMETER(block)                                                                \
+// uint32_t dimensions, `least` to `most`; `usual` is the default, as text.
+#define BL_DIMENSIONS_PARAMETER(block, least, most, usual)                                         \
     {                                                                                              \
-        .key = "lattice", .kind = BL_CHOICE, .offset = offsetof(block, lattice),                   \
-        .choices = bl_lattice_choices, .fallback = "hash", .unit = "",                             \
-        .help = "hash of the 64-bit cell, or the text's permutation of 256"                        \
+        .key = "dims", .kind = BL_INTEGER, .offset = offsetof(block, dimensions),                  \
+        .minimum = least, .maximum = most, .fallback = usual, .unit = "",                          \
+        .help = "dimensions; coordinates beyond them are ignored"                                  \
+    }
+
+// bl_lattice_settings lattice: seed, lattice, component and period, four entries of a list.
+#define BL_LATTICE_PARAMETERS(block, what)                                                         \
+    BL_SEED_PARAMETER(block, lattice.seed, what),                                                  \
+        {.key = "lattice",                                                                         \
+         .kind = BL_CHOICE,                                                                        \
+         .offset = offsetof(block, lattice.kind),                                                  \
+         .choices = bl_lattice_choices,                                                            \
+         .fallback = "hash",                                                                       \
+         .unit = "",                                                                               \
+         .help = "hash of the 64-bit cell, or the text's permutation of 256"},                     \
+        {.key = "component",                                                                       \
+         .kind = BL_INTEGER,                                                                       \
+         .offset = offsetof(block, lattice.component),                                             \
+         .maximum = 3,                                                                             \
+         .fallback = "0",                                                                          \
+         .unit = "",                                                                               \
+         .help = "of a vector-valued noise: independent noises of one seed"},                      \
+    {                                                                                              \
+        .key = "period", .kind = BL_LIST, .offset = offsetof(block, lattice.period),               \
+        .maximum = 4294967295.0, .fallback = "0", .unit = "cells",                                 \
+        .help = "after which the noise repeats, one number or one an axis; 0: never",              \
+        .examples = bl_period_examples                                                             \
     }
 
 // uint32_t kernel, table_rate: of a radial convolution. `choices` are exact and table:N.

@@ -28,9 +28,9 @@ static inline uint32_t folded(uint32_t word) {
     return word ^ word >> 15;
 }
 
-static inline void cell_numbers_open(cell_numbers *numbers, uint64_t seed, bl_lattice_kind kind) {
-    numbers->lattice = bl_lattice_of(seed, kind);
-    if (kind != BL_LATTICE_PERM256)
+static inline void cell_numbers_open(cell_numbers *numbers, const bl_lattice_settings *lattice) {
+    numbers->lattice = bl_lattice_open(lattice);
+    if (lattice->kind != BL_LATTICE_PERM256)
         return;
     bl_perm256_words(&numbers->lattice, 0, numbers->plain);
     bl_perm256_words(&numbers->lattice, 1, numbers->table[1]);
@@ -53,7 +53,7 @@ typedef struct lane_keys {
 static inline bl_lattice_key lane_key(const cell_numbers *numbers, int axis, uint64_t cell) {
     bl_lattice_key key = bl_lattice_key_of(&numbers->lattice, (unsigned)axis, cell);
     if (numbers->lattice.kind == BL_LATTICE_PERM256)
-        key.add = (uint32_t)cell;
+        key.add = (uint32_t)bl_lattice_wrap(&numbers->lattice, (unsigned)axis, cell);
     return key;
 }
 

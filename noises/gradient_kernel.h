@@ -28,10 +28,9 @@ typedef struct bl_gradient_noise {
     bl_gradients gradients;
 } bl_gradient_noise;
 
-static inline bl_gradient_noise bl_gradient_noise_of(uint64_t seed, uint32_t fade,
-                                                     uint32_t gradients, uint32_t lattice) {
-    return (bl_gradient_noise){bl_lattice_of(seed, (bl_lattice_kind)lattice), (bl_fade)fade,
-                               (bl_gradients)gradients};
+static inline bl_gradient_noise bl_gradient_noise_of(const bl_lattice_settings *lattice,
+                                                     uint32_t fade, uint32_t gradients) {
+    return (bl_gradient_noise){bl_lattice_open(lattice), (bl_fade)fade, (bl_gradients)gradients};
 }
 
 // The fast path: the default lattice and gradients, with any fade.

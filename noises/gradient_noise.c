@@ -28,13 +28,13 @@
 #include "noises/noise.h"
 
 typedef struct gradient_parameters {
-    uint64_t seed;
-    uint32_t fade, gradients, lattice;
+    bl_lattice_settings lattice;
+    uint32_t fade, gradients;
 } gradient_parameters;
 
 static bl_gradient_noise gradient_noise_of(const void *block) {
     const gradient_parameters *p = block;
-    return bl_gradient_noise_of(p->seed, p->fade, p->gradients, p->lattice);
+    return bl_gradient_noise_of(&p->lattice, p->fade, p->gradients);
 }
 
 static void row(const void *block, const double start[BL_AXES], const double step[BL_AXES],
@@ -79,7 +79,7 @@ static double density(const void *block, const double frequency[BL_AXES]) {
 
 static int has_closed_form(const void *block) {
     const gradient_parameters *p = block;
-    return p->lattice == BL_LATTICE_HASH;
+    return bl_lattice_is_hash(&p->lattice);
 }
 
 static void describe(const void *block, bl_facts *facts) {
@@ -88,8 +88,7 @@ static void describe(const void *block, bl_facts *facts) {
     bl_kernel weight = bl_gradient_weights[p->fade];
     bl_bound bound = bl_bound_gradient(weight, p->gradients == BL_GRADIENTS_EDGES);
     bl_terms_describe(&terms, has_closed_form(block), facts);
-    bl_lattice_describe(bound, bl_kernel_continuity(weight), p->lattice == BL_LATTICE_PERM256,
-                        facts);
+    bl_lattice_describe(bound, bl_kernel_continuity(weight), &p->lattice, facts);
 }
 
 static float textbook_corner(int ix, int iy, int iz, float fx, float fy, float fz) {
@@ -114,7 +113,7 @@ static float textbook(float x, float y, float z) {
 }
 
 static const bl_parameter parameters[] = {
-    BL_SEED_PARAMETER(gradient_parameters, "the gradients"),
+    BL_LATTICE_PARAMETERS(gradient_parameters, "the gradients"),
     {.key = "fade",
      .kind = BL_CHOICE,
      .offset = offsetof(gradient_parameters, fade),
@@ -129,7 +128,6 @@ static const bl_parameter parameters[] = {
      .fallback = "sphere",
      .unit = "",
      .help = "how gradients are drawn: uniform on the sphere, by rejection, or 12 edges"},
-    BL_LATTICE_PARAMETER(gradient_parameters),
     {.key = NULL}};
 
 BL_NOISE_DESCRIPTOR(gradient_noise) = {
@@ -141,7 +139,7 @@ BL_NOISE_DESCRIPTOR(gradient_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(gradient_parameters),
-    .seed_offset = offsetof(gradient_parameters, seed),
+    .seed_offset = offsetof(gradient_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

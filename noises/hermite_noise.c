@@ -26,13 +26,12 @@
 #include "noises/separable.h"
 
 typedef struct hermite_parameters {
-    uint64_t seed;
-    uint32_t lattice;
+    bl_lattice_settings lattice;
 } hermite_parameters;
 
 static bl_lattice lattice_of(const void *block) {
     const hermite_parameters *p = block;
-    return bl_lattice_of(p->seed, (bl_lattice_kind)p->lattice);
+    return bl_lattice_open(&p->lattice);
 }
 
 static double value_weight(double t, double *slope) {
@@ -272,7 +271,7 @@ static double density(const void *block, const double frequency[BL_AXES]) {
 
 static int has_closed_form(const void *block) {
     const hermite_parameters *p = block;
-    return p->lattice == BL_LATTICE_HASH;
+    return bl_lattice_is_hash(&p->lattice);
 }
 
 static void describe(const void *block, bl_facts *facts) {
@@ -280,13 +279,11 @@ static void describe(const void *block, bl_facts *facts) {
     bl_terms terms = terms_of();
     bl_bound bound = bl_bound_hermite();
     bl_terms_describe(&terms, has_closed_form(block), facts);
-    bl_lattice_describe(bound, 1, p->lattice == BL_LATTICE_PERM256, facts);
+    bl_lattice_describe(bound, 1, &p->lattice, facts);
 }
 
 static const bl_parameter parameters[] = {
-    BL_SEED_PARAMETER(hermite_parameters, "the values and the tangents"),
-    BL_LATTICE_PARAMETER(hermite_parameters),
-    {.key = NULL}};
+    BL_LATTICE_PARAMETERS(hermite_parameters, "the values and the tangents"), {.key = NULL}};
 
 BL_NOISE_DESCRIPTOR(hermite_noise) = {
     .name = "hermite",
@@ -297,7 +294,7 @@ BL_NOISE_DESCRIPTOR(hermite_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(hermite_parameters),
-    .seed_offset = offsetof(hermite_parameters, seed),
+    .seed_offset = offsetof(hermite_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .functions = {.row = row,

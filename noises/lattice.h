@@ -57,6 +57,7 @@
 #include <string.h>
 
 #include "core/hash.h"
+#include "core/signal.h"
 #include "noises/textbook.h"
 
 // Odd multipliers: 2^32 times the golden ratio's fraction, and the first one of MurmurHash3's
@@ -73,9 +74,18 @@ typedef enum bl_gradients {
     BL_GRADIENTS_EDGES
 } bl_gradients;
 
+// The settings that all lattice noises share (noises/common_parameters.h has their keys).
+typedef struct bl_lattice_settings {
+    uint64_t seed;
+    uint32_t kind;            // a bl_lattice_kind
+    uint32_t component;       // of a vector-valued noise
+    uint32_t period[BL_AXES]; // in cells along each axis; 0: none
+} bl_lattice_settings;
+
 // What a seed makes of the hash: drawn once for a call, constant from then on.
 typedef struct bl_lattice {
-    uint32_t offset[3], high[3];
+    uint32_t offset[BL_AXES], high[BL_AXES];
+    uint32_t period[BL_AXES]; // cell numbers are taken modulo it; 0: as they are
     uint32_t add[BL_COMPONENTS], exclusive[BL_COMPONENTS]; // component 0 has zeros
     bl_lattice_kind kind;
 } bl_lattice;
@@ -87,8 +97,9 @@ typedef struct bl_lattice_key {
 
 static inline bl_lattice bl_lattice_of(uint64_t seed, bl_lattice_kind kind) {
     bl_lattice lattice = {.kind = kind};
-    for (unsigned axis = 0; axis < 3; axis++) {
-        uint64_t bits = bl_stream(seed, axis);
+    for (unsigned axis = 0; axis < BL_AXES; axis++) {
+        // Streams 3 to 5 are those of the components.
+        uint64_t bits = bl_stream(seed, axis < 3 ? axis : 6);
         lattice.offset[axis] = (uint32_t)bits;
         lattice.high[axis] = (uint32_t)(bits >> 32);
     }
@@ -98,6 +109,30 @@ static inline bl_lattice bl_lattice_of(uint64_t seed, bl_lattice_kind kind) {
         lattice.exclusive[component] = (uint32_t)(bits >> 32);
     }
     return lattice;
+}
+
+static inline bl_lattice bl_lattice_open(const bl_lattice_settings *settings) {
+    bl_lattice lattice = bl_lattice_of(bl_component_seed(settings->seed, settings->component),
+                                       (bl_lattice_kind)settings->kind);
+    memcpy(lattice.period, settings->period, sizeof lattice.period);
+    return lattice;
+}
+
+// Whether no two cells share a number.
+static inline int bl_lattice_is_hash(const bl_lattice_settings *settings) {
+    return settings->kind == BL_LATTICE_HASH && settings->period[0] == 0 &&
+           settings->period[1] == 0 && settings->period[2] == 0 && settings->period[3] == 0;
+}
+
+// The cell that stands for `cell` (a signed number in two's complement) in a periodic lattice, from
+// 0 to the period - 1.
+static inline uint64_t bl_lattice_wrap(const bl_lattice *lattice, unsigned axis, uint64_t cell) {
+    uint32_t period = lattice->period[axis];
+    if (!period)
+        return cell;
+    if (cell >> 63) // negative: -1 - ~cell, where ~cell is from 0 to 2^63 - 1
+        return period - 1 - ~cell % period;
+    return cell % period;
 }
 
 // The mixed high half of a biased cell number: lowbias32 (Wellons 2018), a bijection.
@@ -115,7 +150,7 @@ static inline uint32_t bl_lattice_exclusive(uint32_t add, uint32_t high) {
 
 static inline bl_lattice_key bl_lattice_key_of(const bl_lattice *lattice, unsigned axis,
                                                uint64_t cell) {
-    uint64_t biased = cell + UINT64_C(0x80000000);
+    uint64_t biased = bl_lattice_wrap(lattice, axis, cell) + UINT64_C(0x80000000);
     uint32_t add = ((uint32_t)biased + lattice->offset[axis]) * BL_LATTICE_M1;
     uint32_t high = bl_lattice_high(lattice, axis, (uint32_t)(biased >> 32));
     return (bl_lattice_key){add, bl_lattice_exclusive(add, high)};
@@ -138,20 +173,31 @@ static inline uint32_t bl_lattice_hash_word(const bl_lattice *lattice, const uin
     return add * exclusive;
 }
 
+// The word of an index of lattice=perm256: that of the cell (index, 0, 0), whatever the period.
+static inline uint32_t bl_perm256_word(const bl_lattice *lattice, uint32_t index,
+                                       unsigned component) {
+    bl_lattice plain = *lattice;
+    memset(plain.period, 0, sizeof plain.period);
+    return bl_lattice_hash_word(&plain, (const uint64_t[3]){index, 0, 0}, component);
+}
+
 // The word of a cell, straightforwardly: the reference for the loops that share the keys.
 static inline uint32_t bl_lattice_word(const bl_lattice *lattice, const uint64_t cell[3],
                                        unsigned component) {
     if (lattice->kind == BL_LATTICE_HASH)
         return bl_lattice_hash_word(lattice, cell, component);
-    const uint64_t drawn[3] = {bl_perm256_index(cell[0], cell[1], cell[2]), 0, 0};
-    return bl_lattice_hash_word(lattice, drawn, component);
+    uint64_t wrapped[3];
+    for (unsigned axis = 0; axis < 3; axis++)
+        wrapped[axis] = bl_lattice_wrap(lattice, axis, cell[axis]);
+    return bl_perm256_word(lattice, bl_perm256_index(wrapped[0], wrapped[1], wrapped[2]),
+                           component);
 }
 
 // The 256 words that lattice=perm256 draws from.
 static inline void bl_perm256_words(const bl_lattice *lattice, unsigned component,
                                     uint32_t words[256]) {
-    for (uint64_t index = 0; index < 256; index++)
-        words[index] = bl_lattice_hash_word(lattice, (const uint64_t[3]){index, 0, 0}, component);
+    for (uint32_t index = 0; index < 256; index++)
+        words[index] = bl_perm256_word(lattice, index, component);
 }
 
 // Numbers are made in units of 2^-31, so that a kernel scales once a sample and not once a corner.

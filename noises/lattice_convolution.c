@@ -38,8 +38,7 @@
 #include "noises/textbook.h"
 
 typedef struct convolution_parameters {
-    uint64_t seed;
-    uint32_t lattice;
+    bl_lattice_settings lattice;
     uint32_t kernel;
     uint32_t table_rate;
 } convolution_parameters;
@@ -49,8 +48,7 @@ enum { KERNEL_EXACT, KERNEL_TABLE };
 static const char *const kernels[] = {"exact", "table:N", NULL};
 
 static const bl_parameter parameters[] = {
-    BL_SEED_PARAMETER(convolution_parameters, "the lattice values"),
-    BL_LATTICE_PARAMETER(convolution_parameters),
+    BL_LATTICE_PARAMETERS(convolution_parameters, "the lattice values"),
     BL_KERNEL_PARAMETER(convolution_parameters, kernels),
     {.key = NULL}};
 
@@ -59,7 +57,7 @@ static const bl_parameter parameters[] = {
 // Value and gradient at once.
 static void evaluate(const convolution_parameters *p, const double at[BL_AXES], double *value_out,
                      double gradient_out[3]) {
-    bl_lattice lattice = bl_lattice_of(p->seed, (bl_lattice_kind)p->lattice);
+    bl_lattice lattice = bl_lattice_open(&p->lattice);
     uint64_t cell[3];
     double fraction[3], sum = 0, slope[3] = {0};
     for (int a = 0; a < 3; a++)
@@ -187,7 +185,7 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
     const convolution_parameters *p = block;
     if (p->kernel == KERNEL_EXACT) {
         cell_numbers numbers;
-        cell_numbers_open(&numbers, p->seed, (bl_lattice_kind)p->lattice);
+        cell_numbers_open(&numbers, &p->lattice);
         lattice_points(&numbers, at, count, out);
         return;
     }
@@ -260,7 +258,7 @@ static void row(const void *block, const double start[BL_AXES], const double ste
     if (p->kernel == KERNEL_EXACT && from < to &&
         axis_row_open(&along, start, step, from, to - from)) {
         cell_numbers numbers;
-        cell_numbers_open(&numbers, p->seed, (bl_lattice_kind)p->lattice);
+        cell_numbers_open(&numbers, &p->lattice);
         row_along_axis(&numbers, &along, to - from, out + from);
     } else {
         to = from;
@@ -306,7 +304,7 @@ static bl_terms terms_of(void) {
 
 static int has_closed_form(const void *block) {
     const convolution_parameters *p = block;
-    return p->lattice == BL_LATTICE_HASH && p->kernel == KERNEL_EXACT;
+    return bl_lattice_is_hash(&p->lattice) && p->kernel == KERNEL_EXACT;
 }
 
 static double covariance(const void *block, const double lag[BL_AXES]) {
@@ -326,8 +324,7 @@ static void describe(const void *block, bl_facts *facts) {
     bl_terms terms = terms_of();
     bl_terms_describe(&terms, has_closed_form(block), facts);
     bl_bound bound = bl_bound_lattice_convolution(p->kernel == KERNEL_EXACT ? 0 : p->table_rate);
-    bl_lattice_describe(bound, p->kernel == KERNEL_EXACT ? 1 : -1, p->lattice == BL_LATTICE_PERM256,
-                        facts);
+    bl_lattice_describe(bound, p->kernel == KERNEL_EXACT ? 1 : -1, &p->lattice, facts);
 }
 
 BL_NOISE_DESCRIPTOR(lattice_convolution) = {
@@ -339,7 +336,7 @@ BL_NOISE_DESCRIPTOR(lattice_convolution) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(convolution_parameters),
-    .seed_offset = offsetof(convolution_parameters, seed),
+    .seed_offset = offsetof(convolution_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

@@ -87,20 +87,27 @@ static bl_status report_unknown(const char *name, bl_message *message) {
                      name, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : ";");
 }
 
-static bl_signal *signal_of(const bl_noise *noise, const void *block) {
+// Makes the signal of a block that was read.
+static bl_status make_signal(const bl_noise *noise, const void *block, bl_signal **signal,
+                             bl_message *message) {
     char *canonical = bl_parameters_text(noise->name, noise->parameters, block);
-    if (!canonical)
-        return NULL;
-    bl_signal *signal = bl_signal_new(&noise->functions, block, noise->parameters_size, canonical);
+    bl_signal *made =
+        canonical ? bl_signal_new(&noise->functions, block, noise->parameters_size, canonical)
+                  : NULL;
     free(canonical);
-    if (!signal)
-        return NULL;
-    signal->seed_offset = noise->seed_offset;
-    signal->dimensions = noise->dimensions;
-    signal->name = noise->name;
-    noise->describe(block, &signal->facts);
-    signal->closed_form = !noise->has_closed_form || noise->has_closed_form(block);
-    return signal;
+    if (!made)
+        return bl_report(message, BL_DEVICE, "out of memory opening '%s'", noise->name);
+    bl_status status = bl_signal_build(made, message);
+    if (status != BL_OK)
+        return status;
+    made->seed_offset = noise->seed_offset;
+    made->dimensions = noise->dimensions_of ? noise->dimensions_of(block) : noise->dimensions;
+    made->name = noise->name;
+    noise->describe(made->parameters, &made->facts);
+    made->closed_form = noise->functions.covariance &&
+                        (!noise->has_closed_form || noise->has_closed_form(made->parameters));
+    *signal = made;
+    return BL_OK;
 }
 
 bl_status bl_noise_open(const char *text, bl_isa isa, bl_signal **signal, bl_message *message) {
@@ -116,8 +123,10 @@ bl_status bl_noise_open(const char *text, bl_isa isa, bl_signal **signal, bl_mes
         status = bl_report(message, BL_DEVICE, "out of memory opening '%s'", text);
     else
         status = bl_parameters_read(noise->parameters, &spec, text, block, message);
-    if (status == BL_OK && !(*signal = signal_of(noise, block)))
-        status = bl_report(message, BL_DEVICE, "out of memory opening '%s'", text);
+    if (status == BL_OK && noise->validate)
+        status = noise->validate(block, message);
+    if (status == BL_OK)
+        status = make_signal(noise, block, signal, message);
     free(block);
     bl_spec_free(&spec);
     return status;

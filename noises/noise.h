@@ -18,11 +18,15 @@ typedef struct bl_noise {
     const char *summary; // one sentence
     const char *formula; // in plain text
     const char *paper;   // key and page or section: "peachey2003, p. 75"
-    unsigned dimensions; // 1 to 4
+    unsigned dimensions; // 1 to 4, with the default settings
     const bl_parameter *parameters;
     size_t parameters_size; // of the flat parameter block
     size_t seed_offset;
-    // Fills the facts, which may depend on the parameters.
+    // Optional: the dimensions with these parameters; NULL: always those above.
+    unsigned (*dimensions_of)(const void *parameters);
+    // Optional: whether the parameters fit together; the message names the keys. Errors: BL_USAGE.
+    bl_status (*validate)(const void *parameters, bl_message *message);
+    // Fills the facts, which may depend on the parameters (and on what functions.build made).
     void (*describe)(const void *parameters, bl_facts *facts);
     // Optional: whether the closed forms (covariance, density) hold for these parameters; NULL
     // means that they always do. Sets bl_signal.closed_form.
@@ -39,8 +43,8 @@ typedef enum bl_isa { BL_ISA_BASELINE, BL_ISA_V3, BL_ISA_V4, BL_ISA_COUNT, BL_IS
 const char *bl_isa_name(bl_isa isa); // "baseline", "v3", "v4"
 int bl_isa_runs_here(bl_isa isa);    // by the processor's own word
 bl_isa bl_isa_best(void);            // the highest that runs here
-// Reads "baseline", "v3" or "v4". Errors: BL_USAGE for another word, BL_MISMATCH for a set that this
-// processor lacks.
+// Reads "baseline", "v3" or "v4". Errors: BL_USAGE for another word, BL_MISMATCH for a set that
+// this processor lacks.
 bl_status bl_isa_read(const char *word, bl_isa *isa, bl_message *message);
 
 size_t bl_noise_count(void);
@@ -52,6 +56,14 @@ const bl_noise *bl_noise_find(const char *name, bl_isa isa);
 // Opens a noise by its text. The caller frees the signal with bl_signal_free; on failure it is left
 // alone. Errors: BL_USAGE for an unknown name, key or value, BL_DEVICE out of memory. Thread-safe.
 bl_status bl_noise_open(const char *text, bl_isa isa, bl_signal **signal, bl_message *message);
+
+// In a noise file: the instruction set it is being compiled for, as a bl_isa.
+#define BL_ISA_INDEX_baseline BL_ISA_BASELINE
+#define BL_ISA_INDEX_v3 BL_ISA_V3
+#define BL_ISA_INDEX_v4 BL_ISA_V4
+#define BL_ISA_INDEX_(set) BL_ISA_INDEX_##set
+#define BL_ISA_INDEX(set) BL_ISA_INDEX_(set)
+#define BL_THIS_ISA BL_ISA_INDEX(BL_ISA)
 
 // Names the descriptor of a noise file: BL_NOISE_DESCRIPTOR(gradient_noise) = {...};
 #define BL_PASTE_(a, b, c) a##b##_##c

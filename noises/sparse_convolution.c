@@ -43,9 +43,8 @@
 #include "noises/textbook.h"
 
 typedef struct sparse_parameters {
-    uint64_t seed;
+    bl_lattice_settings lattice;
     uint32_t impulses;
-    uint32_t lattice;
     uint32_t kernel;
     uint32_t table_rate;
 } sparse_parameters;
@@ -56,7 +55,7 @@ static const char *const kernels[] = {"exact", "table:N", NULL};
 
 #define AT(field) offsetof(sparse_parameters, field)
 static const bl_parameter parameters[] = {
-    BL_SEED_PARAMETER(sparse_parameters, "the impulses"),
+    BL_LATTICE_PARAMETERS(sparse_parameters, "the impulses"),
     {.key = "impulses",
      .kind = BL_INTEGER,
      .offset = AT(impulses),
@@ -65,7 +64,6 @@ static const bl_parameter parameters[] = {
      .fallback = "3",
      .unit = "a cell",
      .help = "impulses in each cell; the sum is divided by it"},
-    BL_LATTICE_PARAMETER(sparse_parameters),
     BL_KERNEL_PARAMETER(sparse_parameters, kernels),
     {.key = NULL}};
 #undef AT
@@ -75,7 +73,7 @@ static const bl_parameter parameters[] = {
 // Value and gradient at once.
 static void evaluate(const sparse_parameters *p, const double at[BL_AXES], double *value_out,
                      double gradient_out[3]) {
-    bl_lattice lattice = bl_lattice_of(p->seed, (bl_lattice_kind)p->lattice);
+    bl_lattice lattice = bl_lattice_open(&p->lattice);
     impulse_factors factors;
     impulse_factors_open(&factors, p->impulses);
     uint64_t cell[3];
@@ -140,7 +138,7 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
         return;
     }
     sparse_source source;
-    sparse_source_open(&source, p->seed, (bl_lattice_kind)p->lattice, p->impulses);
+    sparse_source_open(&source, &p->lattice, p->impulses);
     sparse_points(&source, at, count, out);
 }
 
@@ -155,7 +153,7 @@ static void row(const void *block, const double start[BL_AXES], const double ste
     if (p->kernel == KERNEL_EXACT && from < to &&
         axis_row_open(&along, start, step, from, to - from)) {
         sparse_source source;
-        sparse_source_open(&source, p->seed, (bl_lattice_kind)p->lattice, p->impulses);
+        sparse_source_open(&source, &p->lattice, p->impulses);
         sparse_row(&source, &along, to - from, out + from);
     } else {
         to = from;
@@ -202,7 +200,7 @@ static bl_terms terms_of(const sparse_parameters *p) {
 
 static int has_closed_form(const void *block) {
     const sparse_parameters *p = block;
-    return p->lattice == BL_LATTICE_HASH && p->kernel == KERNEL_EXACT;
+    return bl_lattice_is_hash(&p->lattice) && p->kernel == KERNEL_EXACT;
 }
 
 static double covariance(const void *block, const double lag[BL_AXES]) {
@@ -219,9 +217,9 @@ static void describe(const void *block, bl_facts *facts) {
     const sparse_parameters *p = block;
     bl_terms terms = terms_of(p);
     bl_terms_describe(&terms, has_closed_form(block), facts);
+    facts->stationary = facts->isotropic = bl_lattice_is_hash(&p->lattice);
     bl_bound bound = bl_bound_sparse_convolution(p->kernel == KERNEL_EXACT ? 0 : p->table_rate);
-    bl_lattice_describe(bound, p->kernel == KERNEL_EXACT ? 1 : -1, p->lattice == BL_LATTICE_PERM256,
-                        facts);
+    bl_lattice_describe(bound, p->kernel == KERNEL_EXACT ? 1 : -1, &p->lattice, facts);
 }
 
 BL_NOISE_DESCRIPTOR(sparse_convolution) = {
@@ -233,7 +231,7 @@ BL_NOISE_DESCRIPTOR(sparse_convolution) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(sparse_parameters),
-    .seed_offset = offsetof(sparse_parameters, seed),
+    .seed_offset = offsetof(sparse_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

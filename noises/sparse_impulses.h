@@ -42,9 +42,9 @@ typedef struct sparse_source {
     float scale; // of a sum of amplitude * 2 K, the amplitudes in BL_LATTICE_UNIT
 } sparse_source;
 
-static inline void sparse_source_open(sparse_source *source, uint64_t seed, bl_lattice_kind kind,
+static inline void sparse_source_open(sparse_source *source, const bl_lattice_settings *lattice,
                                       uint32_t impulses) {
-    cell_numbers_open(&source->numbers, seed, kind);
+    cell_numbers_open(&source->numbers, lattice);
     impulse_factors_open(&source->factors, impulses);
     source->impulses = (int)impulses;
     source->scale = (float)(BL_LATTICE_UNIT / 2 / impulses);

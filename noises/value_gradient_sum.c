@@ -26,20 +26,27 @@
 #include "noises/value_kernel.h"
 
 typedef struct sum_parameters {
-    uint64_t seed;
+    bl_lattice_settings lattice;
     double value, gradient;
-    uint32_t interp, fade, gradients, lattice;
+    uint32_t interp, fade, gradients;
 } sum_parameters;
 
 enum { VALUE_STREAM = 16, GRADIENT_STREAM = 17, CHUNK = 2048 };
 
+static bl_lattice_settings lattice_of(const sum_parameters *p, uint64_t stream) {
+    bl_lattice_settings lattice = p->lattice;
+    lattice.seed = bl_stream(lattice.seed, stream);
+    return lattice;
+}
+
 static bl_value_noise value_part(const sum_parameters *p) {
-    return bl_value_noise_of(bl_stream(p->seed, VALUE_STREAM), p->interp, p->lattice);
+    bl_lattice_settings lattice = lattice_of(p, VALUE_STREAM);
+    return bl_value_noise_of(&lattice, p->interp);
 }
 
 static bl_gradient_noise gradient_part(const sum_parameters *p) {
-    return bl_gradient_noise_of(bl_stream(p->seed, GRADIENT_STREAM), p->fade, p->gradients,
-                                p->lattice);
+    bl_lattice_settings lattice = lattice_of(p, GRADIENT_STREAM);
+    return bl_gradient_noise_of(&lattice, p->fade, p->gradients);
 }
 
 static void add_parts(const sum_parameters *p, size_t count, const float *restrict gradient,
@@ -124,7 +131,7 @@ static double density(const void *block, const double frequency[BL_AXES]) {
 
 static int has_closed_form(const void *block) {
     const sum_parameters *p = block;
-    return p->lattice == BL_LATTICE_HASH;
+    return bl_lattice_is_hash(&p->lattice);
 }
 
 static void describe(const void *block, bl_facts *facts) {
@@ -143,11 +150,11 @@ static void describe(const void *block, bl_facts *facts) {
         gradient_class = value_class;
     int continuity = value_class < gradient_class ? value_class : gradient_class;
     bl_lattice_describe((bl_bound){bound, "the weighted sum of the bounds of vnoise and gnoise"},
-                        continuity, p->lattice == BL_LATTICE_PERM256, facts);
+                        continuity, &p->lattice, facts);
 }
 
 static const bl_parameter parameters[] = {
-    BL_SEED_PARAMETER(sum_parameters, "the values and the gradients"),
+    BL_LATTICE_PARAMETERS(sum_parameters, "the values and the gradients"),
     {.key = "value",
      .kind = BL_REAL,
      .offset = offsetof(sum_parameters, value),
@@ -185,7 +192,6 @@ static const bl_parameter parameters[] = {
      .fallback = "sphere",
      .unit = "",
      .help = "how gradients are drawn: uniform on the sphere, by rejection, or 12 edges"},
-    BL_LATTICE_PARAMETER(sum_parameters),
     {.key = NULL}};
 
 BL_NOISE_DESCRIPTOR(value_gradient_sum) = {
@@ -197,7 +203,7 @@ BL_NOISE_DESCRIPTOR(value_gradient_sum) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(sum_parameters),
-    .seed_offset = offsetof(sum_parameters, seed),
+    .seed_offset = offsetof(sum_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .functions = {.row = row,

@@ -32,8 +32,9 @@ typedef struct bl_value_noise {
     bl_interp interp;
 } bl_value_noise;
 
-static inline bl_value_noise bl_value_noise_of(uint64_t seed, uint32_t interp, uint32_t lattice) {
-    return (bl_value_noise){bl_lattice_of(seed, (bl_lattice_kind)lattice), (bl_interp)interp};
+static inline bl_value_noise bl_value_noise_of(const bl_lattice_settings *lattice,
+                                               uint32_t interp) {
+    return (bl_value_noise){bl_lattice_open(lattice), (bl_interp)interp};
 }
 
 // How a kernel sits on the planes: in cells between planes shifted by `shift`, the planes from

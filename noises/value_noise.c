@@ -28,13 +28,13 @@
 #include "noises/value_kernel.h"
 
 typedef struct value_parameters {
-    uint64_t seed;
-    uint32_t interp, lattice;
+    bl_lattice_settings lattice;
+    uint32_t interp;
 } value_parameters;
 
 static bl_value_noise value_noise_of(const void *block) {
     const value_parameters *p = block;
-    return bl_value_noise_of(p->seed, p->interp, p->lattice);
+    return bl_value_noise_of(&p->lattice, p->interp);
 }
 
 static void row(const void *block, const double start[BL_AXES], const double step[BL_AXES],
@@ -77,7 +77,7 @@ static double density(const void *block, const double frequency[BL_AXES]) {
 
 static int has_closed_form(const void *block) {
     const value_parameters *p = block;
-    return p->lattice == BL_LATTICE_HASH;
+    return bl_lattice_is_hash(&p->lattice);
 }
 
 static void describe(const void *block, bl_facts *facts) {
@@ -86,8 +86,7 @@ static void describe(const void *block, bl_facts *facts) {
     bl_kernel kernel = bl_value_kernels[p->interp];
     bl_bound bound = bl_bound_value(kernel);
     bl_terms_describe(&terms, has_closed_form(block), facts);
-    bl_lattice_describe(bound, bl_kernel_continuity(kernel), p->lattice == BL_LATTICE_PERM256,
-                        facts);
+    bl_lattice_describe(bound, bl_kernel_continuity(kernel), &p->lattice, facts);
 }
 
 // The text's spline through n knots, with all its generality.
@@ -124,7 +123,7 @@ static float textbook(float x, float y, float z) {
 }
 
 static const bl_parameter parameters[] = {
-    BL_SEED_PARAMETER(value_parameters, "the lattice numbers"),
+    BL_LATTICE_PARAMETERS(value_parameters, "the lattice numbers"),
     {.key = "interp",
      .kind = BL_CHOICE,
      .offset = offsetof(value_parameters, interp),
@@ -132,7 +131,6 @@ static const bl_parameter parameters[] = {
      .fallback = "catmull-rom",
      .unit = "",
      .help = "the kernel between the lattice points"},
-    BL_LATTICE_PARAMETER(value_parameters),
     {.key = NULL}};
 
 BL_NOISE_DESCRIPTOR(value_noise) = {
@@ -144,7 +142,7 @@ BL_NOISE_DESCRIPTOR(value_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(value_parameters),
-    .seed_offset = offsetof(value_parameters, seed),
+    .seed_offset = offsetof(value_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

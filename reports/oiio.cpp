@@ -378,7 +378,7 @@ extern "C" void image_release(void *parameters) {
 }
 
 const bl_signal_functions image_functions = {image_row, image_points, image_value, nullptr,
-                                             nullptr,   nullptr,      nullptr,     image_release};
+                                             nullptr,   nullptr,      nullptr,     nullptr,      image_release};
 
 bl_status check_file(const char *path, bl_message *message) {
     struct stat info;

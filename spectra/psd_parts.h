@@ -10,7 +10,7 @@
 #ifndef BL_SPECTRA_PSD_PARTS_H
 #define BL_SPECTRA_PSD_PARTS_H
 
-#include "spectra/fft.h"
+#include "core/fft.h"
 #include "spectra/psd.h"
 
 // --- sampler ---

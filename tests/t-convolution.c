@@ -253,7 +253,7 @@ static void test_the_text_tables_have_period_256(void **state) {
         double at[BL_AXES] = {3.25, -7.5, 11.125, 0},
                moved[BL_AXES] = {259.25, -263.5, 1035.125, 0};
         assert_near(bl_signal_value(signal, at), bl_signal_value(signal, moved), 0);
-        assert_true(signal->facts.period == 256);
+        assert_true(signal->facts.period[0] == 256);
         bl_signal_free(signal);
     }
 }

@@ -12,68 +12,29 @@
 
 #include "core/random.h"
 #include "core/statistics.h"
-#include "noises/noise.h"
+#include "tests/texts.h"
 
 #define ERROR_RATE 1e-6
 
 // --- the settings -------------------------------------------------------------------------------
 
-enum { MOST_TEXTS = 256 };
-
-typedef struct texts {
-    char text[MOST_TEXTS][96];
-    size_t count;
-} texts;
-
-static void add_text(texts *list, const char *name, const char *key, const char *value) {
-    assert_true(list->count < MOST_TEXTS);
-    snprintf(list->text[list->count++], sizeof list->text[0], key ? "%s:%s=%s" : "%s", name, key,
-             value);
-}
-
-static void add_settings(texts *list, const char *name, const bl_parameter *parameter) {
-    char value[64];
-    for (const char *const *choice = parameter->choices; parameter->kind == BL_CHOICE && *choice;
-         choice++) {
-        const char *colon = strchr(*choice, ':');
-        snprintf(value, sizeof value, "%s", *choice);
-        if (colon)
-            snprintf(value, sizeof value, "%.*s:%.0f", (int)(colon - *choice), *choice,
-                     fmax(100, parameter->minimum));
-        add_text(list, name, parameter->key, value);
-    }
-    for (int end = 0; end < 2 && parameter->kind != BL_CHOICE && parameter->kind != BL_SEED;
-         end++) {
-        snprintf(value, sizeof value, "%.17g", end ? parameter->maximum : parameter->minimum);
-        add_text(list, name, parameter->key, value);
-    }
-}
-
-// Every noise with its defaults, with each choice and the ends of each range of each key, and some
-// settings that depend on two keys.
-static texts *all_texts(void) {
-    static texts list;
+// All settings of the registry, and some that depend on two keys.
+static bl_texts *all_texts(void) {
+    static bl_texts list;
+    static const char *const more[] = {"gnoise:fade=quintic,gradients=edges,lattice=perm256",
+                                       "vgnoise:interp=bspline3,fade=quintic",
+                                       "vgnoise:interp=bspline3,fade=linear,gradients=rejection",
+                                       "scnoise:impulses=1,kernel=table:100,lattice=perm256"};
     if (list.count)
         return &list;
-    for (size_t i = 0; i < bl_noise_count(); i++) {
-        const bl_noise *noise = bl_noise_at(i, BL_ISA_BEST);
-        add_text(&list, noise->name, NULL, NULL);
-        for (const bl_parameter *p = noise->parameters; p->key; p++)
-            add_settings(&list, noise->name, p);
-    }
-    add_text(&list, "gnoise", "fade", "quintic,gradients=edges,lattice=perm256");
-    add_text(&list, "vgnoise", "interp", "bspline3,fade=quintic");
-    add_text(&list, "vgnoise", "interp", "bspline3,fade=linear,gradients=rejection");
-    add_text(&list, "scnoise", "impulses", "1,kernel=table:100,lattice=perm256");
+    list = *bl_test_texts();
+    for (size_t i = 0; i < sizeof more / sizeof *more; i++)
+        snprintf(list.text[list.count++], sizeof list.text[0], "%s", more[i]);
     return &list;
 }
 
 static bl_signal *open_signal(const char *text) {
-    bl_signal *signal = NULL;
-    bl_message message = {""};
-    if (bl_noise_open(text, BL_ISA_BEST, &signal, &message) != BL_OK)
-        fail_msg("%s: %s", text, message.text);
-    return signal;
+    return bl_test_open(text, BL_ISA_BEST);
 }
 
 // --- continuity ---------------------------------------------------------------------------------
@@ -149,7 +110,7 @@ static void check_continuity(const bl_signal *signal, unsigned axis, bl_random *
 
 static void test_the_class_of_continuity_is_the_one_stated(void **state) {
     (void)state;
-    texts *list = all_texts();
+    bl_texts *list = all_texts();
     for (size_t i = 0; i < list->count; i++) {
         bl_signal *signal = open_signal(list->text[i]);
         // The lines of a noise stay when another one is registered.
@@ -240,7 +201,7 @@ static int all_differ(const probe *a, const probe *b) {
 
 static void check_period(const bl_signal *signal, unsigned axis) {
     static const double primes[] = {2, 3, 5, 7};
-    double period = signal->facts.period;
+    double period = signal->facts.period[axis];
     probe here = take_probe(signal, axis, 0), there;
     for (double times = -1; times <= 1 && period > 0; times += 2) {
         there = take_probe(signal, axis, times * period);
@@ -261,7 +222,7 @@ static void check_period(const bl_signal *signal, unsigned axis) {
 
 static void test_the_period_is_the_one_stated(void **state) {
     (void)state;
-    texts *list = all_texts();
+    bl_texts *list = all_texts();
     for (size_t i = 0; i < list->count; i++) {
         bl_signal *signal = open_signal(list->text[i]);
         for (unsigned axis = 0; axis < signal->dimensions; axis++)
@@ -311,7 +272,7 @@ static void test_the_fraction_ends_where_it_is_stated_to(void **state) {
     (void)state;
     static const char *const ways[] = {"the reference", "points", "a row"};
     static const double scales[] = {0.25, -0.25, 1, 2, -2};
-    texts *list = all_texts();
+    bl_texts *list = all_texts();
     for (size_t i = 0; i < list->count; i++) {
         bl_signal *signal = open_signal(list->text[i]);
         for (unsigned axis = 0; axis < signal->dimensions; axis++)
@@ -381,7 +342,7 @@ static batch_means measure(const bl_signal *signal, uint64_t stream, const doubl
 
 static void test_mean_and_variance_are_the_ones_stated(void **state) {
     (void)state;
-    texts *list = all_texts();
+    bl_texts *list = all_texts();
     // Two-sided, one error rate for all the means and one for all the variances.
     double limit = -bl_normal_quantile(ERROR_RATE / (double)list->count / 2);
     for (size_t i = 0; i < list->count; i++) {

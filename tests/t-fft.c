@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "core/random.h"
-#include "spectra/fft.h"
+#include "core/fft.h"
 
 // Where no wisdom is kept, plans are estimated; tests leave no file in anybody's home.
 static int keep_no_wisdom(void **state) {

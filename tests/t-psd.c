@@ -16,7 +16,7 @@
 
 #include <gsl/gsl_cdf.h>
 
-#include "spectra/fft.h"
+#include "core/fft.h"
 #include "spectra/psd.h"
 #include "spectra/psd_parts.h"
 #include "tests/test_signals.h"

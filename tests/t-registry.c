@@ -6,67 +6,9 @@
 #include "tests/test.h"
 
 #include "core/random.h"
-#include "noises/noise.h"
+#include "tests/texts.h"
 
-enum { MOST_TEXTS = 64, COUNT = 301 };
-
-// Every noise with its defaults, and with each choice and the ends of each range of each key.
-typedef struct texts {
-    char text[MOST_TEXTS * 16][96];
-    size_t count;
-} texts;
-
-static void add_text(texts *list, const char *name, const char *key, const char *value) {
-    assert_true(list->count < MOST_TEXTS * 16);
-    char *text = list->text[list->count++];
-    if (key)
-        snprintf(text, sizeof list->text[0], "%s:%s=%s", name, key, value);
-    else
-        snprintf(text, sizeof list->text[0], "%s", name);
-}
-
-static void add_choices(texts *list, const char *name, const bl_parameter *parameter) {
-    for (const char *const *choice = parameter->choices; *choice; choice++) {
-        char value[64];
-        const char *colon = strchr(*choice, ':');
-        snprintf(value, sizeof value, "%s", *choice);
-        if (colon)
-            snprintf(value, sizeof value, "%.*s:%.0f", (int)(colon - *choice), *choice,
-                     parameter->minimum > 100 ? parameter->minimum : 100);
-        add_text(list, name, parameter->key, value);
-    }
-}
-
-static texts *all_texts(void) {
-    static texts list;
-    if (list.count)
-        return &list;
-    for (size_t i = 0; i < bl_noise_count(); i++) {
-        const bl_noise *noise = bl_noise_at(i, BL_ISA_BEST);
-        add_text(&list, noise->name, NULL, NULL);
-        for (const bl_parameter *p = noise->parameters; p->key; p++) {
-            char value[64];
-            if (p->kind == BL_CHOICE)
-                add_choices(&list, noise->name, p);
-            else if (p->kind == BL_SEED)
-                add_text(&list, noise->name, p->key, "18446744073709551615");
-            else
-                for (int end = 0; end < 2; end++) {
-                    snprintf(value, sizeof value, "%.17g", end ? p->maximum : p->minimum);
-                    add_text(&list, noise->name, p->key, value);
-                }
-        }
-    }
-    return &list;
-}
-
-static bl_signal *open_signal(const char *text, bl_isa isa) {
-    bl_signal *signal = NULL;
-    bl_message message = {""};
-    if (bl_noise_open(text, isa, &signal, &message) != BL_OK)
-        fail_msg("%s: %s", text, message.text);
-    return signal;
-}
+enum { COUNT = 301 };
 
 static void test_every_descriptor_is_complete(void **state) {
     (void)state;
@@ -91,12 +33,12 @@ static void test_every_descriptor_is_complete(void **state) {
 
 static void test_every_setting_states_its_facts(void **state) {
     (void)state;
-    texts *list = all_texts();
+    const bl_texts *list = bl_test_texts();
     for (size_t i = 0; i < list->count; i++) {
-        bl_signal *signal = open_signal(list->text[i], BL_ISA_BEST);
+        bl_signal *signal = bl_test_open(list->text[i], BL_ISA_BEST);
         const bl_facts *facts = &signal->facts;
         if (!(facts->lower < facts->upper && facts->bound_proof && isfinite(facts->mean) &&
-              facts->continuity >= -1 && facts->period >= 0 && facts->far > 0x1p31))
+              facts->continuity >= -1 && facts->period[0] >= 0 && facts->far > 0x1p31))
             fail_msg("%s: incomplete facts", list->text[i]);
         if (signal->closed_form &&
             !(facts->variance >= 0 && facts->covariance_reach > 0 && facts->band_to > 0))
@@ -134,14 +76,14 @@ static void fill_by(const bl_signal *signal, const double start[], const double 
 
 static void test_every_instruction_set_gives_the_same_bits(void **state) {
     (void)state;
-    texts *list = all_texts();
+    const bl_texts *list = bl_test_texts();
     bl_random random = bl_random_seed(1, 0);
     for (size_t i = 0; i < list->count; i++) {
-        bl_signal *reference = open_signal(list->text[i], BL_ISA_BASELINE);
+        bl_signal *reference = bl_test_open(list->text[i], BL_ISA_BASELINE);
         for (int isa = BL_ISA_V3; isa < BL_ISA_COUNT; isa++) {
             if (!bl_isa_runs_here((bl_isa)isa))
                 continue;
-            bl_signal *other = open_signal(list->text[i], (bl_isa)isa);
+            bl_signal *other = bl_test_open(list->text[i], (bl_isa)isa);
             for (size_t line = 0; line < 32; line++) {
                 float a[COUNT], b[COUNT];
                 double start[BL_AXES], step[BL_AXES];
@@ -160,10 +102,10 @@ static void test_every_instruction_set_gives_the_same_bits(void **state) {
 
 static void test_floats_agree_with_the_double_reference(void **state) {
     (void)state;
-    texts *list = all_texts();
+    const bl_texts *list = bl_test_texts();
     bl_random random = bl_random_seed(2, 0);
     for (size_t i = 0; i < list->count; i++) {
-        bl_signal *signal = open_signal(list->text[i], BL_ISA_BEST);
+        bl_signal *signal = bl_test_open(list->text[i], BL_ISA_BEST);
         // 2^-24 is half a unit in the last place at 1; the kernels may spend 32 of them.
         double tolerance = 32 * 0x1p-24 * fmax(1, signal->facts.upper);
         for (size_t line = 0; line < 64; line++) {
@@ -187,7 +129,7 @@ static void test_floats_agree_with_the_double_reference(void **state) {
 
 static void test_the_bound_is_kept(void **state) {
     (void)state;
-    texts *list = all_texts();
+    const bl_texts *list = bl_test_texts();
     size_t count = bl_test_scaled(1 << 14, 1 << 12);
     double *columns[BL_AXES];
     float *out = malloc(count * sizeof *out);
@@ -198,7 +140,7 @@ static void test_the_bound_is_kept(void **state) {
             columns[a][k] = 1e5 * (bl_random_unit(&random) - 0.5);
     }
     for (size_t i = 0; i < list->count; i++) {
-        bl_signal *signal = open_signal(list->text[i], BL_ISA_BEST);
+        bl_signal *signal = bl_test_open(list->text[i], BL_ISA_BEST);
         bl_signal_points(signal, (const double *const *)columns, count, out);
         for (size_t k = 0; k < count; k++)
             if (!(out[k] >= signal->facts.lower && out[k] <= signal->facts.upper))
@@ -214,9 +156,9 @@ static void test_the_bound_is_kept(void **state) {
 static void test_bad_coordinates_give_nan(void **state) {
     (void)state;
     static const double bad[] = {NAN, INFINITY, -INFINITY, 0x1p62, -1e300};
-    texts *list = all_texts();
+    const bl_texts *list = bl_test_texts();
     for (size_t i = 0; i < list->count; i++) {
-        bl_signal *signal = open_signal(list->text[i], BL_ISA_BEST);
+        bl_signal *signal = bl_test_open(list->text[i], BL_ISA_BEST);
         for (size_t b = 0; b < sizeof bad / sizeof *bad; b++)
             for (unsigned axis = 0; axis < signal->dimensions; axis++) {
                 double start[BL_AXES] = {0.3, 0.4, 0.6, 0.7}, step[BL_AXES] = {0},
@@ -246,9 +188,9 @@ static void test_bad_coordinates_give_nan(void **state) {
 
 static void test_a_row_that_leaves_the_domain_ends_in_nan(void **state) {
     (void)state;
-    texts *list = all_texts();
+    const bl_texts *list = bl_test_texts();
     for (size_t i = 0; i < list->count; i++) {
-        bl_signal *signal = open_signal(list->text[i], BL_ISA_BEST);
+        bl_signal *signal = bl_test_open(list->text[i], BL_ISA_BEST);
         float out[64];
         double start[BL_AXES] = {0.5, 0.5, 0.5, 0}, step[BL_AXES] = {0x1p58, 0, 0, 0};
         bl_signal_row(signal, start, step, 64, out);
@@ -262,9 +204,9 @@ static void test_a_row_that_leaves_the_domain_ends_in_nan(void **state) {
 static void test_batches_and_threads_change_nothing(void **state) {
     (void)state;
     enum { LINE = 1000 };
-    texts *list = all_texts();
+    const bl_texts *list = bl_test_texts();
     for (size_t i = 0; i < list->count; i++) {
-        bl_signal *signal = open_signal(list->text[i], BL_ISA_BEST);
+        bl_signal *signal = bl_test_open(list->text[i], BL_ISA_BEST);
         static float whole[LINE], parts[LINE];
         // Multiples of 2^-6, so that a start in the middle has exactly the same coordinates.
         const double start[BL_AXES] = {-3.25, 100.5, 7.015625, 0},
@@ -288,14 +230,14 @@ static void test_batches_and_threads_change_nothing(void **state) {
 static void test_a_point_in_another_batch_has_the_same_bits(void **state) {
     (void)state;
     enum { MANY = 500 };
-    texts *list = all_texts();
+    const bl_texts *list = bl_test_texts();
     bl_random random = bl_random_seed(4, 0);
     static double at[BL_AXES][MANY];
     for (int a = 0; a < BL_AXES; a++)
         for (int k = 0; k < MANY; k++)
             at[a][k] = 50 * (bl_random_unit(&random) - 0.5);
     for (size_t i = 0; i < list->count; i++) {
-        bl_signal *signal = open_signal(list->text[i], BL_ISA_BEST);
+        bl_signal *signal = bl_test_open(list->text[i], BL_ISA_BEST);
         float all[MANY], one;
         bl_signal_points(signal, (const double *const[]){at[0], at[1], at[2], at[3]}, MANY, all);
         for (int k = 0; k < MANY; k += 7) {
@@ -310,10 +252,10 @@ static void test_a_point_in_another_batch_has_the_same_bits(void **state) {
 
 static void test_the_gradient_is_the_derivative(void **state) {
     (void)state;
-    texts *list = all_texts();
+    const bl_texts *list = bl_test_texts();
     bl_random random = bl_random_seed(5, 0);
     for (size_t i = 0; i < list->count; i++) {
-        bl_signal *signal = open_signal(list->text[i], BL_ISA_BEST);
+        bl_signal *signal = bl_test_open(list->text[i], BL_ISA_BEST);
         int trials = signal->functions->gradient && signal->facts.continuity >= 0 ? 40 : 0;
         for (int trial = 0; trial < trials; trial++) {
             double at[BL_AXES], gradient[BL_AXES] = {0};
@@ -346,7 +288,7 @@ static void test_a_reseeded_signal_is_another_and_the_same_as_opened(void **stat
         char text[64];
         const char *name = bl_noise_at(i, BL_ISA_BEST)->name;
         snprintf(text, sizeof text, "%s:seed=77", name);
-        bl_signal *zero = open_signal(name, BL_ISA_BEST), *opened = open_signal(text, BL_ISA_BEST);
+        bl_signal *zero = bl_test_open(name, BL_ISA_BEST), *opened = bl_test_open(text, BL_ISA_BEST);
         bl_signal *reseeded = bl_signal_reseed(zero, 77);
         float a[64], b[64], c[64];
         bl_signal_row(zero, start, step, 64, a);

@@ -7,7 +7,7 @@
 // after its wisdom was read from, or has safely arrived on, the disk; a lock file makes a second
 // process that wants the same plan at the same moment wait for it and take it. Volumes are always
 // estimated, because measuring them costs more than it ever saves.
-#include "spectra/fft.h"
+#include "core/fft.h"
 
 #include <fcntl.h>
 #include <fftw3.h>

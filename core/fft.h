@@ -13,8 +13,8 @@
 // The same transform gives the same bits on every run: a plan is measured only where its wisdom
 // can be kept in $XDG_CACHE_HOME/bandlimit (or ~/.cache/bandlimit), from where the next process
 // takes it; elsewhere plans are estimated, which uses no clock.
-#ifndef BL_SPECTRA_FFT_H
-#define BL_SPECTRA_FFT_H
+#ifndef BL_CORE_FFT_H
+#define BL_CORE_FFT_H
 
 #include <stddef.h>
 

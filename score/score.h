@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+//
+// The scorecard of an ideal noise: the contract of a property, the registry of all of them, and the
+// measurement of one signal.
+//
+// A property is one file in score/, which ends with one descriptor, and one line in properties.def.
+// It measures a signal, fills numbers with their intervals, and judges them: against what the
+// signal states of itself (bl_facts), or, where it states nothing, against the ideal: a repeatable
+// function of a known range, limited to a band whose highest frequency is about 1, without periods,
+// stationary and isotropic (peachey2003, p. 68). Nothing here prints.
+//
+// All statistical tests of one table share one error budget, alpha: the probability that a table of
+// correct signals shows any failure by chance. bl_score_measure gives each property of each signal
+// its equal share; a property divides its share among its own tests.
+#ifndef BL_SCORE_SCORE_H
+#define BL_SCORE_SCORE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/signal.h"
+#include "core/statistics.h"
+
+enum {
+    BL_SCORE_NUMBERS = 40,    // of a property, at most
+    BL_SCORE_PROPERTIES = 16, // of the registry, at most
+    BL_SCORE_VARIANTS = 4     // instruction sets, at most
+};
+
+typedef enum bl_score_verdict {
+    BL_SCORE_PASS,
+    BL_SCORE_FAIL,
+    BL_SCORE_INCONCLUSIVE,
+    BL_SCORE_NOT_RUN // there is nothing to measure: the reason says why
+} bl_score_verdict;
+
+typedef enum bl_score_against { BL_AGAINST_CLAIM, BL_AGAINST_IDEAL } bl_score_against;
+
+// A number of a property. Its level is 1 if it is exact, 0 if it has no interval.
+typedef struct bl_score_number {
+    const char *name;     // a constant, in snake case and with the unit: "share_above_1", "leak_db"
+    bl_estimate estimate; // value NAN: not measured
+} bl_score_number;
+
+typedef struct bl_score_property {
+    bl_score_verdict verdict;
+    bl_score_against against;
+    char cell[24];    // the entry of the table: "C1", "-31.2 dB"
+    char reason[320]; // one sentence: what was found, and against what it was judged
+    size_t count;
+    bl_score_number numbers[BL_SCORE_NUMBERS];
+} bl_score_property;
+
+// What is measured: the signal, and the same signal compiled for other instruction sets (none for
+// a signal that is not of the registry). All are the caller's.
+typedef struct bl_score_subject {
+    const bl_signal *signal;
+    const bl_signal *variants[BL_SCORE_VARIANTS];
+    const char *variant_names[BL_SCORE_VARIANTS];
+    size_t variant_count;
+} bl_score_subject;
+
+typedef struct bl_score_settings {
+    double alpha;  // in bl_score_measure: of the whole table; in a property: its own share
+    size_t table;  // signals in the table, which share alpha
+    int size;      // 0 quick, 1 normal, 2 full: bl_score_pick
+    uint64_t seed; // of all random places and fresh seeds
+    double level;  // of the confidence intervals that are shown, 0.95
+    int threads;   // 0: as many as OpenMP gives
+} bl_score_settings;
+
+typedef struct bl_property {
+    const char *name;     // the JSON key: "isotropy"
+    const char *title;    // the column of the table: "isotropy"
+    const char *question; // what it asks, in one sentence
+    // Fills the result, which comes zeroed with verdict BL_SCORE_NOT_RUN. Errors only where nothing
+    // could be measured at all (BL_DEVICE out of memory); a signal that cannot be judged is "not
+    // run" with its reason.
+    bl_status (*measure)(const bl_score_subject *subject, const bl_score_settings *settings,
+                         bl_score_property *result, bl_message *message);
+} bl_property;
+
+#define BL_PROPERTY_DESCRIPTOR(stem)                                                               \
+    extern const bl_property bl_property_##stem;                                                   \
+    const bl_property bl_property_##stem
+
+size_t bl_property_count(void);
+const bl_property *bl_property_at(size_t index); // NULL past the end
+const bl_property *bl_property_find(const char *name);
+
+typedef struct bl_score {
+    bl_score_property properties[BL_SCORE_PROPERTIES]; // in the order of the registry
+} bl_score;
+
+// 1e-6, one signal, normal size, seed 1, level 0.95, all threads.
+bl_score_settings bl_score_default_settings(void);
+
+// Measures the properties whose index is set in `wanted` (bit i: property i); the others are "not
+// run". Deterministic for given settings whatever the threads, but for the property `cost`.
+// Thread-safe, but for `cost`, whose times disturb each other. Errors: those of the properties.
+bl_status bl_score_measure(const bl_score_subject *subject, const bl_score_settings *settings,
+                           uint64_t wanted, bl_score *score, bl_message *message);
+
+// The number for the size of the settings.
+double bl_score_pick(const bl_score_settings *settings, double quick, double normal, double full);
+
+// Adds a number; the name is a constant. Dropped beyond BL_SCORE_NUMBERS (asserts).
+void bl_score_add(bl_score_property *result, const char *name, bl_estimate estimate);
+// An exact number, or one without an interval.
+void bl_score_add_exact(bl_score_property *result, const char *name, double value);
+void bl_score_add_seen(bl_score_property *result, const char *name, double value);
+// The number of that name, or NULL.
+const bl_score_number *bl_score_find(const bl_score_property *result, const char *name);
+
+// Sets verdict, against and the reason by printf.
+void bl_score_judge(bl_score_property *result, bl_score_verdict verdict, bl_score_against against,
+                    const char *format, ...) __attribute__((format(printf, 4, 5)));
+
+const char *bl_score_word(bl_score_verdict verdict);         // "pass", ..., "not-run"
+const char *bl_score_against_word(bl_score_against against); // "claim", "ideal"
+// The verdict of a table: fail if a claim fails (or, if `strict`, the ideal), else inconclusive if
+// one is, else pass; as the exit status.
+bl_status bl_score_status(const bl_score *scores, size_t count, int strict);
+
+#endif
