@@ -14,13 +14,14 @@ typedef struct bl_bench_row {
     const char *axis; // "x", "y", "z"; NULL for scattered points
     const char *isa;
     double samples_per_cell;
-    double samples;    // in one run
-    bl_time candidate; // nanoseconds a sample
-    bl_time yardstick; // of the textbook's loop, or of the bare transform
-    double ratio;      // yardstick / candidate by the minima: above 1 is faster
-    double max_error;  // against the double reference; NAN for a peer
-    double floor;      // the least ratio asked for
-    int peer;          // another library, beside which ours stands
+    double samples;      // in one run
+    bl_time candidate;   // nanoseconds a sample
+    const char *against; // what the yardstick is: "textbook", "reference", "transform"; NULL: none
+    bl_time yardstick;
+    double ratio;     // yardstick / candidate by the minima: above 1 is faster
+    double max_error; // against the double reference; NAN for a peer
+    double floor;     // the least ratio asked for
+    int peer;         // another library, beside which ours stands
 } bl_bench_row;
 
 typedef struct bl_bench {
@@ -47,10 +48,12 @@ bl_status bl_bench_psd(bl_bench *bench);
 enum { BL_SCATTERED = 32768, BL_SCATTER_CUBE = 1000 };
 void bl_bench_scatter(int axes, double (*at)[BL_SCATTERED]);
 
-// The textbook loop of a noise at given places, as a piece of work.
+// The plain loop of a noise at given places, a call a point, as a piece of work: the textbook's
+// loop, or where `textbook` is NULL the signal's own reference.
 typedef struct bl_textbook_work {
     float (*textbook)(float x, float y, float z);
-    const float *at[3];
+    const bl_signal *signal;
+    const float *at[BL_AXES]; // the textbook takes three
     size_t count;
     float *out;
 } bl_textbook_work;

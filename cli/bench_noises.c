@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The benchmark of the noises: rows along each axis and scattered points, against the plain loops
-// of the textbook at the same places, and the error of the very kernels that were timed.
+// The benchmark of the noises: rows along each axis and scattered points, against plain loops
+// (the textbook's, or the reference where there is none) at the same places, and the error of the
+// very kernels that were timed.
 #include <math.h>
 #include <string.h>
 
@@ -30,14 +31,18 @@ static void run_kernel(void *user) {
 
 void bl_textbook_run(void *user) {
     bl_textbook_work *work = user;
-    for (size_t i = 0; i < work->count; i++)
+    for (size_t i = 0; i < work->count && work->textbook; i++)
         work->out[i] = work->textbook(work->at[0][i], work->at[1][i], work->at[2][i]);
+    for (size_t i = 0; i < work->count && !work->textbook; i++) {
+        const double at[BL_AXES] = {work->at[0][i], work->at[1][i], work->at[2][i], work->at[3][i]};
+        work->out[i] = (float)bl_signal_value(work->signal, at);
+    }
 }
 
 // The memory of one row of the benchmark; too large for a stack.
 typedef struct bench_places {
     double at[BL_AXES][BL_SCATTERED];
-    float at_float[3][BL_SCATTERED];
+    float at_float[BL_AXES][BL_SCATTERED];
     float out[BL_SCATTERED], textbook_out[BL_SCATTERED];
 } bench_places;
 
@@ -74,21 +79,24 @@ static double kernel_error(const kernel_work *work) {
     return worst;
 }
 
-// Times one kernel, by turns with the textbook's loop where there is one.
+// Times one kernel, by turns with the plain loop.
 static int time_row(bl_bench *bench, bench_places *places, kernel_work *work,
                     float (*textbook)(float, float, float), bl_bench_row *row) {
     for (size_t i = 0; i < work->count; i++)
-        for (int a = 0; a < 3; a++)
+        for (int a = 0; a < BL_AXES; a++)
             places->at_float[a][i] = (float)place_of(work, i, a);
-    bl_textbook_work plain = {textbook,
-                              {places->at_float[0], places->at_float[1], places->at_float[2]},
-                              work->count,
-                              places->textbook_out};
+    bl_textbook_work plain = {
+        .textbook = textbook,
+        .signal = work->signal,
+        .at = {places->at_float[0], places->at_float[1], places->at_float[2], places->at_float[3]},
+        .count = work->count,
+        .out = places->textbook_out};
     const bl_work works[] = {{run_kernel, work, NULL}, {bl_textbook_run, &plain, NULL}};
     bl_time times[2] = {{0, 0}, {NAN, NAN}};
     bl_progress(bench->call, "timing %s %s %s ...", row->signal, row->path,
                 row->axis ? row->axis : "");
-    bl_time_by_turns(works, textbook ? 2 : 1, bench->rounds, bench->turn_seconds, times);
+    row->against = textbook ? "textbook" : "reference";
+    bl_time_by_turns(works, 2, bench->rounds, bench->turn_seconds, times);
     row->candidate = times[0];
     row->yardstick = times[1];
     row->samples = work->count;
@@ -104,7 +112,7 @@ static int time_along_axes(bl_bench *bench, bench_places *places, const bl_signa
     } paths[] = {{"row-20", 20}, {"row-2", 2}};
     static const char *const axes[] = {"x", "y", "z", "w"};
     for (size_t p = 0; p < sizeof paths / sizeof *paths; p++)
-        for (unsigned a = 0; a < signal->dimensions && a < 3; a++) {
+        for (unsigned a = 0; a < signal->dimensions; a++) {
             kernel_work work = {.signal = signal,
                                 .start = {0.37, 0.61, 0.83, 0.29},
                                 .count = SAMPLES,

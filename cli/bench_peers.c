@@ -85,10 +85,10 @@ bl_status bl_bench_peers(bl_bench *bench) {
         if (!(work.function = peers[p].find()))
             continue;
         const bl_noise *noise = bl_noise_find(peers[p].counterpart, bench->call->isa);
-        bl_textbook_work plain = {noise ? noise->textbook : NULL,
-                                  {work.at_float[0], work.at_float[1], work.at_float[2]},
-                                  BL_SCATTERED,
-                                  work.textbook_out};
+        bl_textbook_work plain = {.textbook = noise ? noise->textbook : NULL,
+                                  .at = {work.at_float[0], work.at_float[1], work.at_float[2]},
+                                  .count = BL_SCATTERED,
+                                  .out = work.textbook_out};
         const bl_work works[] = {{run_peer, &work, NULL}, {bl_textbook_run, &plain, NULL}};
         bl_time times[2] = {{0, 0}, {NAN, NAN}};
         bl_progress(bench->call, "timing %s ...", peers[p].name);
@@ -97,6 +97,7 @@ bl_status bl_bench_peers(bl_bench *bench) {
                             .isa = "as built",
                             .samples_per_cell = BL_SCATTERED / pow(BL_SCATTER_CUBE, 3),
                             .samples = BL_SCATTERED,
+                            .against = plain.textbook ? "textbook" : NULL,
                             .candidate = times[0],
                             .yardstick = times[1],
                             .max_error = NAN,

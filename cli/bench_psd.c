@@ -60,6 +60,7 @@ static bl_status time_both(bl_bench *bench, psd_work *whole, psd_work *bare) {
     if (whole->status != BL_OK)
         return bl_report(&bench->call->message, whole->status, "%s", whole->message.text);
     bl_bench_row row = {.signal = "psd",
+                        .against = "transform",
                         .path = "psd-4096",
                         .isa = "as built",
                         .samples_per_cell = NAN,

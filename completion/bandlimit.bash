@@ -14,7 +14,7 @@ _bandlimit_keys() {
 
 _bandlimit() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
-    local verbs="list show eval render spectrum histogram check reproduce bench help version"
+    local verbs="list show eval render spectrum histogram check compare reproduce bench help version"
     local common="--json -o --output --seed --threads --quick --full --isa -q --quiet -h --help
         --version"
     local spectral="--dims --axis --rate --size --average --window --place --level"
@@ -91,6 +91,10 @@ _bandlimit() {
         ;;
     check)
         options="$spectral --band --leak --guard"
+        words=$(_bandlimit_names noises) files=yes
+        ;;
+    compare)
+        options="--format"
         words=$(_bandlimit_names noises) files=yes
         ;;
     reproduce)

@@ -289,18 +289,23 @@ static void put_findings(FILE *out, const bl_run_view *views, size_t count) {
     fputs(any ? "</ol>\n</section>\n" : "", out);
 }
 
-static void put_summary(FILE *out, const bl_run_view *views, size_t count) {
-    size_t verdicts[BL_NOT_RUN + 1] = {0}, total = 0;
+static size_t count_claims(const bl_run_view *views, size_t count) {
+    size_t total = 0;
     for (size_t f = 0; f < count; f++)
-        for (int v = 0; v <= BL_NOT_RUN; v++) {
+        total += views[f].result->claim_count;
+    return total;
+}
+
+static void put_tally(FILE *out, const bl_run_view *views, size_t count) {
+    size_t verdicts[BL_NOT_RUN + 1] = {0};
+    for (size_t f = 0; f < count; f++)
+        for (int v = 0; v <= BL_NOT_RUN; v++)
             verdicts[v] += views[f].result->verdicts[v];
-            total += views[f].result->verdicts[v];
-        }
     fprintf(out,
             "<p>%zu figure%s, %zu claims measured. A claim of a paper that is refuted is a "
             "finding; a claim of our own that is broken is a fault.</p>\n"
             "<ul class=\"tally\">\n",
-            count, count == 1 ? "" : "s", total);
+            count, count == 1 ? "" : "s", count_claims(views, count));
     for (int v = 0; v <= BL_NOT_RUN; v++) {
         if (verdicts[v] == 0 && (v == BL_NOT_RUN || v == BL_UNDECIDED))
             continue;
@@ -308,7 +313,11 @@ static void put_summary(FILE *out, const bl_run_view *views, size_t count) {
         put_verdict(out, (bl_verdict)v);
         fputs("</li>\n", out);
     }
-    fputs("</ul>\n<nav aria-label=\"Figures\"><ol>\n", out);
+    fputs("</ul>\n", out);
+}
+
+static void put_contents(FILE *out, const bl_run_view *views, size_t count) {
+    fputs("<nav aria-label=\"Figures\"><ol>\n", out);
     for (size_t f = 0; f < count; f++) {
         put_tagged(out, "<li><a href=\"#", views[f].result->figure->name, "\">");
         put_tagged(out, "", views[f].result->figure->question, "</a> ");
@@ -341,14 +350,14 @@ static void put_guide(FILE *out) {
     fputs("</section>\n", out);
 }
 
-static void put_head(FILE *out) {
+static void put_head(FILE *out, const char *title) {
     fputs(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<title>bandlimit: figures and claims</title>\n<style>\n",
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
         out);
+    put_tagged(out, "<title>", title, "</title>\n<style>\n");
     fputs(bl_page_style, out);
-    fputs("</style>\n</head>\n<body>\n<header>\n<h1>bandlimit: figures and claims</h1>\n", out);
+    put_tagged(out, "</style>\n</head>\n<body>\n<header>\n<h1>", title, "</h1>\n");
 }
 
 bl_status bl_page_write(const char *path, const bl_run_view *views, size_t count,
@@ -358,11 +367,15 @@ bl_status bl_page_write(const char *path, const bl_run_view *views, size_t count
     if (status != BL_OK)
         return status;
     FILE *out = file.stream;
-    put_head(out);
-    put_summary(out, views, count);
+    size_t claims = count_claims(views, count);
+    put_head(out, claims ? "bandlimit: figures and claims" : "bandlimit: figures");
+    if (claims)
+        put_tally(out, views, count);
+    put_contents(out, views, count);
     fputs("</header>\n<main>\n", out);
     put_findings(out, views, count);
-    put_guide(out);
+    if (claims)
+        put_guide(out);
     for (size_t i = 0; i < count && status == BL_OK; i++)
         status = put_figure(out, &views[i], message);
     fprintf(out, "</main>\n<footer><p>bandlimit %s, size %s, seed %llu", BL_VERSION,

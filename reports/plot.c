@@ -108,6 +108,7 @@ static void put_axis(FILE *out, char letter, const bl_axis *axis, int outer) {
         fprintf(out, "set autoscale %c\n", letter);
     if (axis->tick > 0)
         fprintf(out, "set %ctics %.9g\n", letter, axis->tick);
+    fprintf(out, axis->logarithmic ? "set logscale %c\n" : "unset logscale %c\n", letter);
     fprintf(out, "set format %c %s\n", letter, outer ? "'%g'" : "''");
 }
 
@@ -264,8 +265,8 @@ static void put_panel(FILE *out, const bl_plot *plot, const layout *l, size_t in
     put_axis(out, 'y', &plot->y, index % l->columns == 0 || own_y);
     for (size_t i = 0; i < plot->limit_count; i++)
         put_limit(out, &plot->limits[i], index == 0);
-    char letter[] = "(a) ";
-    letter[1] = (char)('a' + index % 26);
+    char letter[32];
+    snprintf(letter, sizeof letter, "(%c%.0zu) ", (int)('a' + index % 26), index / 26);
     fputs("set label ", out);
     put_text(out, letter);
     fputc('.', out);

@@ -63,7 +63,9 @@ typedef struct bl_panel {
 typedef struct bl_axis {
     const char *label; // the name and the unit
     double from, to;   // both 0: chosen by gnuplot, apart in each panel if the data differ
-    double tick;       // distance of the numbers; 0: chosen by gnuplot
+    double tick;       // distance of the numbers (a factor where it is logarithmic); 0: chosen
+                       // by gnuplot
+    int logarithmic;
 } bl_axis;
 
 typedef struct bl_plot {

@@ -27,12 +27,28 @@ typedef struct runs {
     bl_run *run[];
 } runs;
 
-static bl_status report_unknown(const char *name, bl_message *message) {
-    const char **names = calloc(bl_figure_count() + 1, sizeof *names);
+static size_t figure_count(const bl_reproduce_settings *settings) {
+    return settings->figures ? settings->figure_count : bl_figure_count();
+}
+
+static const bl_figure *figure_at(const bl_reproduce_settings *settings, size_t index) {
+    return settings->figures ? settings->figures[index] : bl_figure_at(index);
+}
+
+static const bl_figure *find_figure(const bl_reproduce_settings *settings, const char *name) {
+    for (size_t i = 0; i < figure_count(settings); i++)
+        if (strcmp(figure_at(settings, i)->name, name) == 0)
+            return figure_at(settings, i);
+    return NULL;
+}
+
+static bl_status report_unknown(const char *name, const bl_reproduce_settings *settings,
+                                bl_message *message) {
+    const char **names = calloc(figure_count(settings) + 1, sizeof *names);
     if (!names)
         return bl_report(message, BL_DEVICE, "out of memory");
-    for (size_t i = 0; i < bl_figure_count(); i++)
-        names[i] = bl_figure_at(i)->name;
+    for (size_t i = 0; i < figure_count(settings); i++)
+        names[i] = figure_at(settings, i)->name;
     const char *near = bl_nearest(name, names);
     free(names);
     return bl_report(message, BL_USAGE,
@@ -47,8 +63,8 @@ static bl_status check(const char *const *names, size_t count,
         return bl_report(message, BL_USAGE, "unknown format '%s'; use svg or pdf",
                          settings->format);
     for (size_t i = 0; i < count; i++) {
-        if (!bl_figure_find(names[i]))
-            return report_unknown(names[i], message);
+        if (!find_figure(settings, names[i]))
+            return report_unknown(names[i], settings, message);
         for (size_t j = 0; j < i; j++)
             if (strcmp(names[i], names[j]) == 0)
                 return bl_report(message, BL_USAGE, "figure '%s' is named twice", names[i]);
@@ -58,9 +74,9 @@ static bl_status check(const char *const *names, size_t count,
 
 static bl_status run_all(const char *const *names, size_t count,
                          const bl_reproduce_settings *settings, runs *all, bl_message *message) {
-    size_t total = count ? count : bl_figure_count();
+    size_t total = count ? count : figure_count(settings);
     for (size_t i = 0; i < total; i++) {
-        const bl_figure *figure = count ? bl_figure_find(names[i]) : bl_figure_at(i);
+        const bl_figure *figure = count ? find_figure(settings, names[i]) : figure_at(settings, i);
         bl_status status = bl_run_figure(figure, settings, i, total, &all->run[i], message);
         if (status != BL_OK)
             return status;
@@ -121,7 +137,7 @@ bl_status bl_reproduce(const char *const *names, size_t count,
     bl_status status = check(names, count, settings, message);
     if (status != BL_OK)
         return status;
-    size_t total = count ? count : bl_figure_count();
+    size_t total = count ? count : figure_count(settings);
     runs *all = calloc(1, sizeof *all + total * sizeof *all->run);
     result->figures = calloc(total, sizeof *result->figures);
     if (!all || !result->figures)

@@ -27,6 +27,11 @@ typedef struct bl_reproduce_settings {
     uint64_t seed;
     int threads; // 0: as many as OpenMP gives
     bl_isa isa;
+    // Other figures than those of the registry; NULL: the registry.
+    const struct bl_figure *const *figures;
+    size_t figure_count;
+    const char *const *signals; // of figures that show the user's own
+    size_t signal_count;
     // Optional: called from the calling thread before each step, with the figures done so far.
     void (*progress)(void *user, size_t done, size_t total, const char *figure, const char *step);
     void *user;
@@ -57,7 +62,7 @@ typedef struct bl_reproduction {
     void *owned; // what the results refer to
 } bl_reproduction;
 
-// Runs the figures named (count 0: all of the registry, in its order) and writes the page. The
+// Runs the figures named (count 0: all, in their order) and writes the page. The
 // status says whether they ran; whether the claims held stands in result->verdict. On success the
 // caller frees the result with bl_reproduction_free. Errors: BL_USAGE for an unknown name or
 // format, BL_DEVICE for files and for gnuplot missing or failing, and what the measurements report.

@@ -3,67 +3,12 @@
 // peachey-2.36: slices of six noises on one scale of grey, through a random place and on a plane of
 // the lattice, and how much of the lattice is seen in them.
 // The measures of the grid pattern and their claims stand in six_patterns.c.
-#include <stdlib.h>
-
-#include "core/grid.h"
 #include "core/random.h"
 #include "reports/figures/six_patterns.h"
 
-enum { CELLS = 16, PER_CELL = 16, SIDE = CELLS * PER_CELL };
+enum { CELLS = 16, PER_CELL = 16 };
 
-// --- the slices ---------------------------------------------------------------------------------
-
-static void fill_slice(const bl_signal *signal, double z, float *out) {
-    const bl_grid grid = {.origin = {0, 0, z, 0},
-                          .right = {1.0 / PER_CELL, 0, 0, 0},
-                          .down = {0, 1.0 / PER_CELL, 0, 0},
-                          .width = SIDE,
-                          .height = SIDE};
-    bl_grid_fill(signal, &grid, 1, out);
-}
-
-static bl_status write_slices(bl_run *run, const bl_six *six, const char *place, double z,
-                              float *values, bl_message *message) {
-    bl_status status = BL_OK;
-    for (int i = 0; i < BL_SIX && status == BL_OK; i++) {
-        fill_slice(six->signal[i], z, values);
-        const bl_attribute signal = {"bandlimit:signal", six->signal[i]->text};
-        const bl_image image = {.width = SIDE,
-                                .height = SIDE,
-                                .values = values,
-                                .spacing = 1.0 / PER_CELL,
-                                .black = -1,
-                                .white = 1,
-                                .attributes = &signal,
-                                .attribute_count = 1};
-        status =
-            bl_run_image(run, bl_run_text(run, "%s-%s", bl_six_names[i], place), &image, message);
-    }
-    return status;
-}
-
-static bl_status plot_slices(bl_run *run, const char *place, const char *title,
-                             const char *alternative, bl_message *message) {
-    bl_panel panels[BL_SIX] = {0};
-    for (int i = 0; i < BL_SIX; i++) {
-        panels[i].title = bl_six_names[i];
-        panels[i].image = bl_run_text(run, "%s-%s.png", bl_six_names[i], place);
-    }
-    const bl_plot plot = {.title = title,
-                          .x = {"x, lattice cells", 0, CELLS, 4},
-                          .y = {"y, lattice cells", CELLS, 0, 4},
-                          .panels = panels,
-                          .panel_count = BL_SIX,
-                          .columns = 3,
-                          .aspect = 1,
-                          .black = -1,
-                          .white = 1,
-                          .pixel = 1.0 / PER_CELL,
-                          .scale_label = "value"};
-    return bl_run_plot(run, bl_run_text(run, "slices-%s", place), &plot, alternative, message);
-}
-
-static bl_status make_slices(bl_run *run, const bl_six *six, bl_message *message) {
+static bl_status make_slices(bl_run *run, bl_six *six, bl_message *message) {
     bl_random random = bl_random_seed(bl_run_settings(run)->seed, 236);
     double z = 0.25 + 0.5 * bl_random_unit(&random); // well between two planes
     bl_run_setting(run, "slice at a random place", bl_run_text(run, "z = %.6f", z));
@@ -74,27 +19,28 @@ static bl_status make_slices(bl_run *run, const bl_six *six, bl_message *message
                     "%d x %d cells, %d pixels a cell, x to the right, "
                     "y downwards; grey from -1 (black) to 1 (white), beyond them clipped, in PNG",
                     CELLS, CELLS, PER_CELL));
-    float *values = malloc(sizeof *values * SIDE * SIDE);
-    if (!values)
-        return bl_report(message, BL_DEVICE, "out of memory");
-    bl_run_step(run, "slices");
-    bl_status status = write_slices(run, six, "random", z, values, message);
-    if (status == BL_OK)
-        status = write_slices(run, six, "lattice", 0, values, message);
-    free(values);
-    if (status == BL_OK)
-        status = plot_slices(run, "random", "What do slices between the lattice planes look like?",
-                             "Six grey slices of 16 by 16 cells at a random height between two "
-                             "planes of the lattice. Values beyond -1 and 1 are clipped to black "
-                             "and white.",
-                             message);
-    if (status == BL_OK)
-        status = plot_slices(run, "lattice", "What do slices on a lattice plane look like?",
-                             "The same six noises on a plane of the lattice, where the zeros of "
-                             "gradient noise form a grid. Values beyond -1 and 1 are clipped to "
-                             "black and white.",
-                             message);
-    return status;
+    bl_gallery gallery = bl_six_gallery(six);
+    bl_gallery_slices slices = {
+        .name = "random",
+        .title = "What do slices between the lattice planes look like?",
+        .alternative =
+            "Six grey slices of 16 by 16 cells at a random height between two planes of "
+            "the lattice. Values beyond -1 and 1 are clipped to black and white.",
+        .origin = {0, 0, z, 0},
+        .length = CELLS,
+        .pixels = CELLS * PER_CELL,
+        .black = -1,
+        .white = 1,
+        .unit = "lattice cells"};
+    bl_status status = bl_gallery_draw_slices(run, &gallery, &slices, message);
+    slices.name = "lattice";
+    slices.title = "What do slices on a lattice plane look like?";
+    slices.alternative =
+        "The same six noises on a plane of the lattice, where the zeros of "
+        "gradient noise form a grid. Values beyond -1 and 1 are clipped to black "
+        "and white.";
+    slices.origin[2] = 0;
+    return status == BL_OK ? bl_gallery_draw_slices(run, &gallery, &slices, message) : status;
 }
 
 static bl_status run_figure(bl_run *run, bl_message *message) {

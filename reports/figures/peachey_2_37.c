@@ -170,7 +170,8 @@ static bl_status plot_errors(bl_run *run, const bl_six_spectra *spectra, bl_mess
     bl_plot plot = plot_of("Do the measured spectra agree with their closed forms?", panels, &zero);
     double reach = error_reach(spectra, plot.x.to);
     plot.panel_count = panel_count;
-    plot.y = (bl_axis){"measured minus closed form, dB", -reach, reach, reach / 2};
+    plot.y = (bl_axis){
+        .label = "measured minus closed form, dB", .from = -reach, .to = reach, .tick = reach / 2};
     return bl_run_plot(
         run, "errors-line", &plot,
         "Measured minus closed form of the spectra along a line at a random place, a point for "

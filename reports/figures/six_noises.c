@@ -43,6 +43,10 @@ void bl_six_close(bl_six *six) {
     *six = (bl_six){0};
 }
 
+bl_gallery bl_six_gallery(bl_six *six) {
+    return (bl_gallery){BL_SIX, six->signal, bl_six_names, bl_six_names};
+}
+
 bl_estimate bl_exactly(double value, double samples) {
     return (bl_estimate){value, value, value, 1, samples};
 }

@@ -8,6 +8,7 @@
 #include "core/signal.h"
 #include "core/statistics.h"
 #include "reports/experiment.h"
+#include "reports/figures/gallery.h"
 
 enum { BL_SIX = 6 };
 enum { BL_VNOISE, BL_GNOISE, BL_VGNOISE, BL_HERMITE, BL_VCNOISE, BL_SCNOISE };
@@ -22,6 +23,9 @@ typedef struct bl_six {
 // ends with bl_six_close.
 bl_status bl_six_open(bl_run *run, bl_six *six, bl_message *message);
 void bl_six_close(bl_six *six);
+
+// The six as a gallery, which refers to them and is not closed.
+bl_gallery bl_six_gallery(bl_six *six);
 
 // Opens one signal by a printf text, with the instruction set of the run.
 bl_status bl_six_open_one(bl_run *run, bl_signal **signal, bl_message *message, const char *format,

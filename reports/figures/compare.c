@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+//
+// The figures of the verb `compare`: the gallery of the text for the user's own signals. They claim
+// nothing; whether a signal keeps what it states is asked by `check --claims` and `score`.
+#include "reports/compare.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "reports/figures/gallery.h"
+
+static bl_status open_gallery(bl_run *run, bl_gallery *gallery, bl_message *message) {
+    const bl_reproduce_settings *settings = bl_run_settings(run);
+    return bl_gallery_open(run, settings->signals, settings->signal_count, gallery, message);
+}
+
+// The length that is drawn: 20 units, or the whole of the smallest signal with a grid.
+static double length_of(const bl_gallery *gallery, double wanted) {
+    double length = wanted;
+    for (size_t i = 0; i < gallery->count; i++) {
+        const bl_extent *extent = &gallery->signal[i]->extent;
+        for (unsigned a = 0; a < 2; a++)
+            if (extent->size[a] > 1)
+                length = fmin(length, (double)(extent->size[a] - 1) * extent->spacing[a]);
+    }
+    return length;
+}
+
+// Samples over that length: enough for a smooth curve, and at the pixels of a grid.
+static size_t steps_of(const bl_gallery *gallery, double length, size_t wanted) {
+    double spacing = length / (double)wanted;
+    for (size_t i = 0; i < gallery->count; i++)
+        if (gallery->signal[i]->extent.size[0])
+            spacing = fmin(spacing, gallery->signal[i]->extent.spacing[0]);
+    double steps = round(length / spacing);
+    return steps < 4096 ? (size_t)steps : 4096;
+}
+
+// --- along a line -------------------------------------------------------------------------------
+
+static bl_status run_lines(bl_run *run, bl_message *message) {
+    static const bl_gallery_line lines[] = {
+        {"edge", "on a lattice edge, y = z = 0", {0, 0, 0}, BL_INK_FOURTH, BL_STROKE_THIN},
+        {"between",
+         "between the lattice planes",
+         {0.381966, 0.618034, 0.236068},
+         BL_INK_MEASURED,
+         BL_STROKE_LINE}};
+    bl_gallery gallery;
+    bl_status status = open_gallery(run, &gallery, message);
+    if (status != BL_OK)
+        return status;
+    double length = length_of(&gallery, 20);
+    const bl_gallery_graphs graphs = {
+        .title = "What do the signals look like along a line?",
+        .alternative =
+            "Graphs of value over x, one panel a signal, each along the x axis and "
+            "along a parallel to it between the planes of the lattice.",
+        .lines = lines,
+        .line_count = 2,
+        .length = length,
+        .steps = steps_of(&gallery, length, 640),
+        .y = {.label = "value"},
+        .x_label = "x, units",
+        .columns = gallery.count > 1 ? 2 : 1,
+        .aspect = 0.42};
+    status = bl_gallery_draw_graphs(run, &gallery, &graphs, message);
+    bl_gallery_close(&gallery);
+    return status;
+}
+
+static const bl_figure lines_figure = {
+    .name = "compare-line",
+    .title = "Graphs along a line",
+    .question = "What do the signals look like along a line?",
+    .paper = "peachey2003, fig. 2.35",
+    .shows =
+        "Each panel is the graph of one signal along two parallels to the x axis: the axis "
+        "itself, which is an edge of the lattice of a lattice noise, and a line between the "
+        "planes of the lattice. All share one scale.",
+    .run = run_lines};
+
+// --- in a slice ---------------------------------------------------------------------------------
+
+static bl_status run_slices(bl_run *run, bl_message *message) {
+    bl_gallery gallery;
+    bl_status status = open_gallery(run, &gallery, message);
+    if (status != BL_OK)
+        return status;
+    double length = length_of(&gallery, 16);
+    bl_gallery_slices slices = {
+        .name = "between",
+        .title = "What do the signals look like in a slice between the lattice planes?",
+        .alternative =
+            "Grey slices parallel to the xy plane, one panel a signal, on one scale of "
+            "grey from the lowest to the highest value of all.",
+        .origin = {0, 0, 0.381966, 0.618034},
+        .length = length,
+        .pixels = steps_of(&gallery, length, 256),
+        .unit = "units"};
+    status = bl_gallery_draw_slices(run, &gallery, &slices, message);
+    slices.name = "plane";
+    slices.title = "What do the signals look like on a lattice plane?";
+    slices.origin[2] = slices.origin[3] = 0;
+    if (status == BL_OK)
+        status = bl_gallery_draw_slices(run, &gallery, &slices, message);
+    bl_gallery_close(&gallery);
+    return status;
+}
+
+static const bl_figure slices_figure = {
+    .name = "compare-slice",
+    .title = "Slices",
+    .question = "What do the signals look like in a slice?",
+    .paper = "peachey2003, fig. 2.36",
+    .shows =
+        "Each panel is a slice parallel to the xy plane, first between two planes of the "
+        "lattice, then on one, where the regular zeros of a gradient noise show. All share "
+        "one scale of grey, from the lowest to the highest value.",
+    .run = run_slices};
+
+// --- the power spectrum -------------------------------------------------------------------------
+
+static bl_status write_shares(bl_run *run, const bl_gallery *gallery,
+                              const bl_gallery_spectra *spectra, bl_message *message) {
+    static const struct {
+        const char *name, *lower, *upper;
+        double from, to;
+    } bands[] = {{"below_0.3", "below_0.3_lower", "below_0.3_upper", 0, 0.3},
+                 {"in_0.3_0.7", "in_0.3_0.7_lower", "in_0.3_0.7_upper", 0.3, 0.7},
+                 {"in_0.7_1", "in_0.7_1_lower", "in_0.7_1_upper", 0.7, 1},
+                 {"above_1", "above_1_lower", "above_1_upper", 1, INFINITY}};
+    enum { BANDS = sizeof bands / sizeof *bands };
+    double *table = calloc(3 * BANDS * gallery->count, sizeof *table);
+    if (!table)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    bl_column columns[1 + 3 * BANDS] = {{.name = "signal", .words = gallery->label}};
+    for (size_t b = 0; b < BANDS; b++) {
+        double *rows = table + 3 * b * gallery->count;
+        for (size_t i = 0; i < gallery->count; i++) {
+            bl_band band = {.from = bands[b].from, .to = bands[b].to, .fraction = {.value = NAN}};
+            if (spectra->measured[i])
+                bl_psd_band(&spectra->psd[i], &band);
+            rows[i] = band.fraction.value;
+            rows[gallery->count + i] = spectra->measured[i] ? band.fraction.lower : NAN;
+            rows[2 * gallery->count + i] = spectra->measured[i] ? band.fraction.upper : NAN;
+        }
+        columns[3 * b + 1] = (bl_column){bands[b].name, rows, NULL};
+        columns[3 * b + 2] = (bl_column){bands[b].lower, rows + gallery->count, NULL};
+        columns[3 * b + 3] = (bl_column){bands[b].upper, rows + 2 * gallery->count, NULL};
+    }
+    bl_status status = bl_run_csv(run, "shares", "shares of the variance along a line, by band",
+                                  columns, 1 + 3 * BANDS, gallery->count, message);
+    free(table);
+    return status;
+}
+
+static bl_status run_line_spectra(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+    bl_psd_settings settings = bl_psd_default_settings(1);
+    settings.averages = (size_t)bl_run_pick(run, 192, 1024, 16384);
+    bl_gallery_spectra spectra;
+    bl_status status =
+        bl_gallery_measure_spectra(run, gallery, &settings, "along a line", &spectra, message);
+    const bl_gallery_spectrum_plot plot = {
+        .name = "line",
+        .title = "Where in frequency does the power lie, along a line?",
+        .alternative =
+            "Power spectra along a line at a random place, one panel a signal, each "
+            "with its 95 % band and, where there is one, the closed form.",
+        .highest = 3,
+        .lowest_db = -80,
+        .highest_db = 10,
+        .tick = 0.5,
+        .tick_db = 20,
+        .x_label = "frequency, cycles per unit"};
+    if (status == BL_OK)
+        status = bl_gallery_draw_spectra(run, gallery, &spectra, &plot, message);
+    if (status == BL_OK)
+        status = write_shares(run, gallery, &spectra, message);
+    bl_gallery_free_spectra(&spectra);
+    return status;
+}
+
+static bl_status run_slice_spectra(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+    bl_psd_settings settings = bl_psd_default_settings(2);
+    settings.size = (size_t)bl_run_pick(run, 128, 256, 512);
+    settings.averages = (size_t)bl_run_pick(run, 8, 64, 512);
+    bl_gallery_spectra spectra;
+    bl_status status =
+        bl_gallery_measure_spectra(run, gallery, &settings, "in a slice", &spectra, message);
+    bl_gallery_spectrum_plot plot = {
+        .name = "slice",
+        .title = "Where in frequency does the power lie, in a slice, by radius?",
+        .alternative = "Radial power spectra of slices at random places, one panel a signal.",
+        .highest = 3,
+        .lowest_db = -80,
+        .highest_db = 10,
+        .tick = 0.5,
+        .tick_db = 20,
+        .x_label = "radial frequency, cycles per unit"};
+    if (status == BL_OK)
+        status = bl_gallery_draw_spectra(run, gallery, &spectra, &plot, message);
+    plot.title = "How much does the spectrum of a slice prefer directions?";
+    plot.alternative =
+        "The anisotropy of the rings of the slice spectrum, one panel a signal; the "
+        "dashed level is what a signal without preferred directions reads.";
+    plot.lowest_db = -25;
+    plot.highest_db = 20;
+    plot.tick_db = 5;
+    if (status == BL_OK)
+        status = bl_gallery_draw_anisotropy(run, gallery, &spectra, &plot, message);
+    bl_gallery_free_spectra(&spectra);
+    return status;
+}
+
+static bl_status run_spectra(bl_run *run, bl_message *message) {
+    bl_gallery gallery;
+    bl_status status = open_gallery(run, &gallery, message);
+    if (status != BL_OK)
+        return status;
+    status = run_line_spectra(run, &gallery, message);
+    if (status == BL_OK)
+        status = run_slice_spectra(run, &gallery, message);
+    bl_gallery_close(&gallery);
+    return status;
+}
+
+static const bl_figure spectra_figure = {
+    .name = "compare-spectrum",
+    .title = "Power spectra",
+    .question = "Where in frequency does the power of the signals lie?",
+    .paper = "peachey2003, fig. 2.37",
+    .shows =
+        "Each panel is the power spectrum of one signal: along a line at a random place, with "
+        "its 95 % band and the closed form where there is one; by radius in a slice; and the "
+        "anisotropy of the rings of that slice. shares.csv holds the shares of the variance "
+        "below 0.3, in 0.3 to 0.7, in 0.7 to 1 and above 1 cycle per unit.",
+    .run = run_spectra};
+
+// --- the histogram ------------------------------------------------------------------------------
+
+static bl_status run_histograms(bl_run *run, bl_message *message) {
+    bl_gallery gallery;
+    bl_status status = open_gallery(run, &gallery, message);
+    if (status != BL_OK)
+        return status;
+    status = bl_gallery_draw_histograms(
+        run, &gallery, (size_t)bl_run_pick(run, 1 << 16, 1 << 20, 1 << 24),
+        "How are the values of the signals distributed?",
+        "Densities of the values, one panel a signal, over the normal density of the same mean "
+        "and variance.",
+        message);
+    bl_gallery_close(&gallery);
+    return status;
+}
+
+static const bl_figure histograms_figure = {
+    .name = "compare-histogram",
+    .title = "Histograms",
+    .question = "How are the values of the signals distributed?",
+    .paper = "peachey2003, the paragraph before Spectral Synthesis",
+    .shows =
+        "Each panel is the density of the values of one signal over random places, with the "
+        "normal density of the same mean and variance, dashed. histograms.csv holds the "
+        "moments and the range, and the bounds that the signals state.",
+    .run = run_histograms};
+
+const bl_figure *const bl_comparisons[BL_COMPARISONS] = {&lines_figure, &slices_figure,
+                                                         &spectra_figure, &histograms_figure};

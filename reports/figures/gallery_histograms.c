@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+//
+// The distributions of the values of the signals of a gallery.
+#include <math.h>
+#include <stdlib.h>
+
+#include "reports/figures/gallery.h"
+#include "spectra/histogram.h"
+
+enum { BINS = 96 };
+
+static bl_status write_histogram(bl_run *run, const bl_gallery *gallery, size_t index,
+                                 const bl_histogram *h, bl_message *message) {
+    double centre[BINS], density[BINS], normal[BINS];
+    double deviation = sqrt(h->variance.value);
+    for (size_t b = 0; b < h->settings.bins; b++) {
+        double width = h->edges[b + 1] - h->edges[b];
+        centre[b] = (h->edges[b] + h->edges[b + 1]) / 2;
+        density[b] = (double)h->counts[b] / ((double)h->count * width);
+        double z = (centre[b] - h->mean.value) / deviation;
+        normal[b] = deviation > 0 ? exp(-z * z / 2) / (deviation * sqrt(2 * M_PI)) : NAN;
+    }
+    const bl_column columns[] = {{"value", centre, NULL},
+                                 {"density_per_unit_of_value", density, NULL},
+                                 {"normal_density_per_unit_of_value", normal, NULL}};
+    return bl_run_csv(
+        run, bl_run_text(run, "histogram-%s", gallery->key[index]),
+        bl_run_text(run, "distribution of the values of %s", gallery->signal[index]->text), columns,
+        3, h->settings.bins, message);
+}
+
+// The numbers of each histogram, a row a signal.
+enum {
+    MEAN,
+    MEAN_LOW,
+    MEAN_HIGH,
+    VARIANCE,
+    VARIANCE_LOW,
+    VARIANCE_HIGH,
+    SKEWNESS,
+    KURTOSIS,
+    MINIMUM,
+    MAXIMUM,
+    BOUND_LOW,
+    BOUND_HIGH,
+    NUMBERS
+};
+static const char *const number_names[NUMBERS] = {
+    "mean",     "mean_lower", "mean_upper", "variance", "variance_lower", "variance_upper",
+    "skewness", "kurtosis",   "minimum",    "maximum",  "bound_lower",    "bound_upper"};
+
+static void fill_numbers(const bl_signal *signal, const bl_histogram *h, double *table, size_t rows,
+                         size_t row) {
+    const double numbers[NUMBERS] = {h->mean.value,
+                                     h->mean.lower,
+                                     h->mean.upper,
+                                     h->variance.value,
+                                     h->variance.lower,
+                                     h->variance.upper,
+                                     bl_moments_skewness(&h->moments),
+                                     bl_moments_kurtosis(&h->moments),
+                                     h->minimum,
+                                     h->maximum,
+                                     signal->facts.lower,
+                                     signal->facts.upper};
+    for (size_t k = 0; k < NUMBERS; k++)
+        table[k * rows + row] = numbers[k];
+}
+
+static bl_status write_table(bl_run *run, const bl_gallery *gallery, const double *table,
+                             bl_message *message) {
+    bl_column columns[1 + NUMBERS];
+    columns[0] = (bl_column){.name = "signal", .words = gallery->label};
+    for (size_t k = 0; k < NUMBERS; k++)
+        columns[k + 1] = (bl_column){number_names[k], table + k * gallery->count, NULL};
+    return bl_run_csv(run, "histograms", "moments and range of the values, with the bounds stated",
+                      columns, 1 + NUMBERS, gallery->count, message);
+}
+
+static bl_status plot_histograms(bl_run *run, const bl_gallery *gallery, const char *title,
+                                 const char *alternative, bl_message *message) {
+    bl_series *series = calloc(2 * gallery->count, sizeof *series);
+    bl_panel *panels = calloc(gallery->count, sizeof *panels);
+    bl_status status = series && panels ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
+    for (size_t i = 0; i < gallery->count && status == BL_OK; i++) {
+        const char *file = bl_run_text(run, "histogram-%s.csv", gallery->key[i]);
+        series[2 * i] = (bl_series){BL_STROKE_DASHED,
+                                    BL_INK_THEORY,
+                                    file,
+                                    "value",
+                                    "normal_density_per_unit_of_value",
+                                    NULL,
+                                    "normal, same mean and variance",
+                                    0};
+        series[2 * i + 1] =
+            (bl_series){BL_STROKE_LINE, BL_INK_MEASURED, file, "value", "density_per_unit_of_value",
+                        NULL,           "measured",      0};
+        panels[i] = (bl_panel){gallery->label[i], series + 2 * i, 2, NULL};
+    }
+    const bl_plot plot = {.title = title,
+                          .x = {.label = "value"},
+                          .y = {.label = "probability density, per unit of value"},
+                          .panels = panels,
+                          .panel_count = gallery->count,
+                          .columns = bl_gallery_columns(gallery->count),
+                          .aspect = 0.7};
+    if (status == BL_OK)
+        status = bl_run_plot(run, "histograms", &plot, alternative, message);
+    free(series);
+    free(panels);
+    return status;
+}
+
+bl_status bl_gallery_draw_histograms(bl_run *run, const bl_gallery *gallery, size_t samples,
+                                     const char *title, const char *alternative,
+                                     bl_message *message) {
+    bl_histogram_settings settings = bl_histogram_default_settings();
+    settings.samples = samples;
+    settings.bins = BINS;
+    settings.seed = bl_run_settings(run)->seed;
+    settings.threads = bl_run_settings(run)->threads;
+    bl_run_setting(run, "samples of the histograms",
+                   bl_run_text(run, "%zu places, %d bins", samples, BINS));
+    double *table = malloc(NUMBERS * gallery->count * sizeof *table);
+    bl_status status = table ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
+    for (size_t i = 0; i < gallery->count && status == BL_OK; i++) {
+        bl_histogram histogram;
+        bl_run_step(run, bl_run_text(run, "histogram of %s", gallery->key[i]));
+        status = bl_histogram_measure(gallery->signal[i], &settings, &histogram, message);
+        if (status != BL_OK)
+            break;
+        fill_numbers(gallery->signal[i], &histogram, table, gallery->count, i);
+        status = write_histogram(run, gallery, i, &histogram, message);
+        bl_histogram_free(&histogram);
+    }
+    if (status == BL_OK)
+        status = write_table(run, gallery, table, message);
+    free(table);
+    return status == BL_OK ? plot_histograms(run, gallery, title, alternative, message) : status;
+}

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+//
+// Slices of the signals of a gallery, parallel to the xy plane, on one scale of grey.
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/grid.h"
+#include "reports/figures/gallery.h"
+
+static void fill_slice(const bl_signal *signal, const bl_gallery_slices *slices, int threads,
+                       float *out) {
+    double pixel = slices->length / (double)slices->pixels;
+    bl_grid grid = {.right = {pixel, 0, 0, 0},
+                    .down = {0, pixel, 0, 0},
+                    .width = slices->pixels,
+                    .height = slices->pixels};
+    for (int a = 0; a < BL_AXES; a++)
+        grid.origin[a] = slices->origin[a];
+    bl_grid_fill(signal, &grid, threads, out);
+}
+
+static bl_status write_slice(bl_run *run, const bl_gallery *gallery, size_t index,
+                             const bl_gallery_slices *slices, const float *values,
+                             bl_message *message) {
+    const bl_attribute signal = {"bandlimit:signal", gallery->signal[index]->text};
+    const bl_image image = {.width = slices->pixels,
+                            .height = slices->pixels,
+                            .values = values,
+                            .spacing = slices->length / (double)slices->pixels,
+                            .black = slices->black,
+                            .white = slices->white,
+                            .attributes = &signal,
+                            .attribute_count = 1};
+    return bl_run_image(run, bl_run_text(run, "%s-%s", gallery->key[index], slices->name), &image,
+                        message);
+}
+
+static bl_status plot_slices(bl_run *run, const bl_gallery *gallery,
+                             const bl_gallery_slices *slices, bl_message *message) {
+    bl_panel *panels = calloc(gallery->count, sizeof *panels);
+    if (!panels)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    for (size_t i = 0; i < gallery->count; i++) {
+        panels[i].title = gallery->label[i];
+        panels[i].image = bl_run_text(run, "%s-%s.png", gallery->key[i], slices->name);
+    }
+    const char *unit = slices->unit;
+    const bl_plot plot = {
+        .title = slices->title,
+        .x = {bl_run_text(run, "x, %s", unit), 0, slices->length, slices->length / 4},
+        .y = {bl_run_text(run, "y, %s", unit), slices->length, 0, slices->length / 4},
+        .panels = panels,
+        .panel_count = gallery->count,
+        .columns = bl_gallery_columns(gallery->count),
+        .aspect = 1,
+        .black = slices->black,
+        .white = slices->white,
+        .pixel = slices->length / (double)slices->pixels,
+        .scale_label = "value"};
+    bl_status status = bl_run_plot(run, bl_run_text(run, "slices-%s", slices->name), &plot,
+                                   slices->alternative, message);
+    free(panels);
+    return status;
+}
+
+// The finite range of all values, or one that is not empty.
+static void find_range(const float *values, size_t count, double *black, double *white) {
+    *black = INFINITY;
+    *white = -INFINITY;
+    for (size_t i = 0; i < count; i++)
+        if (isfinite(values[i])) {
+            *black = fmin(*black, (double)values[i]);
+            *white = fmax(*white, (double)values[i]);
+        }
+    if (!(*black < *white)) {
+        *black = isfinite(*black) ? *black - 1 : 0;
+        *white = *black + 2;
+    }
+}
+
+bl_status bl_gallery_draw_slices(bl_run *run, const bl_gallery *gallery,
+                                 const bl_gallery_slices *wanted, bl_message *message) {
+    bl_gallery_slices slices = *wanted;
+    size_t pixels = slices.pixels * slices.pixels;
+    float *values = malloc(gallery->count * pixels * sizeof *values);
+    if (!values)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    bl_run_step(run, "slices");
+    for (size_t i = 0; i < gallery->count; i++)
+        fill_slice(gallery->signal[i], &slices, bl_run_settings(run)->threads, values + i * pixels);
+    if (slices.black == slices.white)
+        find_range(values, gallery->count * pixels, &slices.black, &slices.white);
+    bl_status status = BL_OK;
+    for (size_t i = 0; i < gallery->count && status == BL_OK; i++)
+        status = write_slice(run, gallery, i, &slices, values + i * pixels, message);
+    free(values);
+    return status == BL_OK ? plot_slices(run, gallery, &slices, message) : status;
+}

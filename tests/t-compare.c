@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `compare`: every figure of the comparison for signals of different kinds, numbers that
+// agree with those of the other verbs, and what it refuses.
+#include "tests/test.h"
+
+#include <jansson.h>
+#include <unistd.h>
+
+#include "tests/program.h"
+
+static json_t *run_json(const char *const *words) {
+    bl_ran ran = bl_run_words(NULL, words);
+    json_error_t error;
+    json_t *object = json_loads(ran.out, 0, &error);
+    if (ran.status != 0 || !object)
+        fail_msg("status %d, %s: %s", ran.status, error.text, ran.err);
+    bl_ran_free(&ran);
+    return object;
+}
+#define RUN_JSON(...) run_json((const char *const[]){__VA_ARGS__, NULL})
+
+// The number in a column of the row of a CSV file that begins with `word`.
+static double csv_number(const char *path, const char *word, const char *column) {
+    char *text = bl_test_read(path), *rest = text, *line;
+    double value = NAN;
+    size_t wanted = 0;
+    assert_non_null(text);
+    while ((line = strsep(&rest, "\n"))) {
+        if (*line == '#' || !*line)
+            continue;
+        int head = strncmp(line, "signal,", 7) == 0;
+        if (!head && strncmp(line, word, strlen(word)) != 0)
+            continue;
+        char *field;
+        for (size_t n = 0; (field = strsep(&line, ",")); n++) {
+            if (head && strcmp(field, column) == 0)
+                wanted = n;
+            if (!head && n == wanted)
+                value = atof(field);
+        }
+    }
+    free(text);
+    return value;
+}
+
+static void test_all_figures_are_made_for_noises_and_images(void **state) {
+    (void)state;
+    char image[300], folder[300], path[400];
+    snprintf(image, sizeof image, "%s", bl_test_path("tile.exr"));
+    snprintf(folder, sizeof folder, "%s", bl_test_path("compared"));
+    bl_ran made =
+        bl_run_program("render", "vnoise", "--width", "128", "--scale", "16", "-o", image);
+    assert_int_equal(made.status, 0);
+    bl_ran_free(&made);
+    json_t *object = RUN_JSON("compare", "gnoise", "vnoise:interp=linear", image, "--quick", "-o",
+                              folder, "--json");
+    json_t *figures = json_object_get(object, "figures");
+    assert_int_equal(json_array_size(figures), 4);
+    size_t index, n;
+    json_t *figure, *file;
+    json_array_foreach(figures, index, figure) {
+        json_t *files = json_object_get(figure, "files");
+        assert_true(json_array_size(files) >= 4);
+        json_array_foreach(files, n, file) {
+            snprintf(path, sizeof path, "%s/%s",
+                     json_string_value(json_object_get(figure, "folder")), json_string_value(file));
+            if (access(path, R_OK) != 0)
+                fail_msg("%s is missing", path);
+        }
+    }
+    json_decref(object);
+    snprintf(path, sizeof path, "%s/index.html", folder);
+    assert_int_equal(access(path, R_OK), 0);
+}
+
+static void test_its_numbers_are_those_of_the_other_verbs(void **state) {
+    (void)state;
+    char folder[300], path[400];
+    snprintf(folder, sizeof folder, "%s", bl_test_path("numbers"));
+    json_decref(RUN_JSON("compare", "gnoise", "--quick", "-o", folder, "--json"));
+    snprintf(path, sizeof path, "%s/compare-spectrum/shares.csv", folder);
+    double share = csv_number(path, "gnoise", "above_1");
+    json_t *object =
+        RUN_JSON("spectrum", "gnoise", "--average", "192", "--band", "1:inf", "--json");
+    json_t *band = json_array_get(json_object_get(object, "bands"), 0);
+    double other = json_real_value(json_object_get(band, "fraction"));
+    json_decref(object);
+    assert_near(share, other, 1e-7);
+    snprintf(path, sizeof path, "%s/compare-histogram/histograms.csv", folder);
+    double lower = csv_number(path, "gnoise", "bound_lower");
+    double minimum = csv_number(path, "gnoise", "minimum");
+    assert_true(lower <= minimum && minimum < -0.5);
+}
+
+static void test_bad_words_leave_nothing(void **state) {
+    (void)state;
+    const char *folder = bl_test_path("none");
+    bl_ran ran = bl_run_program("compare", "gnoise", "gnoize", "--quick", "-o", folder);
+    assert_int_equal(ran.status, 64);
+    assert_non_null(strstr(ran.err, "gnoise"));
+    bl_ran_free(&ran);
+    ran = bl_run_program("compare");
+    assert_int_equal(ran.status, 64);
+    bl_ran_free(&ran);
+    ran = bl_run_program("compare", "missing.exr", "--quick", "-o", folder);
+    assert_int_equal(ran.status, 4);
+    assert_int_not_equal(access(folder, F_OK), 0);
+    bl_ran_free(&ran);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_all_figures_are_made_for_noises_and_images),
+        cmocka_unit_test(test_its_numbers_are_those_of_the_other_verbs),
+        cmocka_unit_test(test_bad_words_leave_nothing),
+    };
+    bl_set_filter();
+    return cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+}
