@@ -23,7 +23,7 @@ static const char sparse_section[] = "peachey2003, Sparse Convolution Noise";
 
 static void claim(bl_run *run, const char *source, const char *sentence, const char *reading,
                   const char *unit, double lower, double upper, bl_estimate measured) {
-    bl_six_claim(run, source, sentence, reading, unit, lower, upper, measured, "averages");
+    bl_make_claim(run, source, sentence, reading, unit, lower, upper, measured, "averages");
 }
 
 static const char *reading_of(bl_run *run, int noise, int reading) {
@@ -187,11 +187,11 @@ static void claim_our_own(bl_run *run, const bl_six_spectra *spectra) {
     for (int r = 0; r < BL_READINGS; r++)
         for (int i = 0; i < BL_SIX; i++)
             residual = fmax(residual, spectra->psd[r][i].parseval_residual);
-    bl_six_claim(run, "bandlimit",
-                 "Every spectrum sums to its windowed variance, that of the samples times the "
-                 "window (Parseval; the variances in the files are without a window).",
-                 "largest relative residual of all averages", "", 0, 1e-5,
-                 bl_observed(residual, BL_READINGS * BL_SIX), "spectra");
+    bl_make_claim(run, "bandlimit",
+                  "Every spectrum sums to its windowed variance, that of the samples times the "
+                  "window (Parseval; the variances in the files are without a window).",
+                  "largest relative residual of all averages", "", 0, 1e-5,
+                  bl_observed(residual, BL_READINGS * BL_SIX), "spectra");
 }
 
 void bl_six_spectra_claim(bl_run *run, const bl_six_spectra *spectra) {

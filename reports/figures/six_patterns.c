@@ -3,10 +3,7 @@
 // How much of the lattice is seen in slices of the six noises.
 //
 // Two measures of a grid pattern, both zero for a noise that has none:
-//   lattice contrast  let v(p) be the variance over cells and seeds at the place p within the cell;
-//                     the contrast is the variance of v over p, over the square of its mean. Two
-//                     independent halves of the cells are multiplied, so that the scatter of the
-//                     estimate of v does not count.
+//   lattice contrast  see lattice_contrast.h
 //   ring anisotropy   of the slice spectrum (spectra/psd.h), above the level that an isotropic
 //                     noise reads; the mean in dB over the rings with 0.2 < f < 1.2.
 #include "reports/figures/six_patterns.h"
@@ -15,60 +12,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/random.h"
+#include "reports/figures/lattice_contrast.h"
 #include "spectra/psd.h"
-
-enum { PHASES = 8, LATTICE_SPAN = 100000 };
 
 static const double unlimited = INFINITY;
 static const char text_gridless[] = "peachey2003, Sparse Convolution Noise";
 static const char pairs[] = "pairs of sets of cells";
 
 // --- lattice contrast ---------------------------------------------------------------------------
-
-// The mean square at each place of the cell over `cells` random cells; the noises have mean zero.
-static void square_by_phase(const bl_signal *signal, bl_random *random, int on_plane, size_t cells,
-                            double out[PHASES * PHASES]) {
-    float row[PHASES];
-    const double step[BL_AXES] = {1.0 / PHASES, 0, 0, 0};
-    memset(out, 0, PHASES * PHASES * sizeof *out);
-    for (size_t c = 0; c < cells; c++) {
-        double corner[3];
-        for (int a = 0; a < 3; a++)
-            corner[a] = floor((bl_random_unit(random) - 0.5) * LATTICE_SPAN);
-        double z = corner[2] + (on_plane ? 0 : bl_random_unit(random));
-        for (int j = 0; j < PHASES; j++) {
-            const double start[BL_AXES] = {corner[0], corner[1] + (double)j / PHASES, z, 0};
-            bl_signal_row(signal, start, step, PHASES, row);
-            for (int i = 0; i < PHASES; i++)
-                out[j * PHASES + i] += (double)row[i] * (double)row[i] / (double)cells;
-        }
-    }
-}
-
-// The contrast from two independent sets of cells.
-static double contrast_of(const double a[PHASES * PHASES], const double b[PHASES * PHASES]) {
-    double mean_a = 0, mean_b = 0, product = 0;
-    const int count = PHASES * PHASES;
-    for (int i = 0; i < count; i++) {
-        mean_a += a[i] / count;
-        mean_b += b[i] / count;
-    }
-    for (int i = 0; i < count; i++)
-        product += (a[i] - mean_a) * (b[i] - mean_b) / count;
-    return product / (mean_a * mean_b);
-}
-
-static void measure_contrast(const bl_run *run, const bl_signal *signal, int on_plane, size_t cells,
-                             size_t repeats, double *out) {
-    double a[PHASES * PHASES], b[PHASES * PHASES];
-    for (size_t r = 0; r < repeats; r++) {
-        bl_random random = bl_random_seed(bl_run_settings(run)->seed, 40960 + r);
-        square_by_phase(signal, &random, on_plane, cells, a);
-        square_by_phase(signal, &random, on_plane, cells, b);
-        out[r] = contrast_of(a, b);
-    }
-}
 
 // The contrasts of all noises between the planes and on them, `repeats` each.
 typedef struct contrasts {
@@ -98,24 +49,24 @@ static bl_estimate contrast_difference(const contrasts *c, int on_plane, int one
 
 static void claim_contrasts(bl_run *run, const contrasts *c) {
     for (int p = 0; p < 2; p++)
-        bl_six_claim(run, "peachey2003, Value-Gradient Noise",
-                     "Value-gradient noise looks less regular than gradient noise: its lattice "
-                     "contrast minus that of gnoise.",
-                     bl_run_text(run, "vgnoise, %s", slice_words[p]), "", -unlimited, 0,
-                     contrast_difference(c, p, BL_VGNOISE, BL_GNOISE), pairs);
+        bl_make_claim(run, "peachey2003, Value-Gradient Noise",
+                      "Value-gradient noise looks less regular than gradient noise: its lattice "
+                      "contrast minus that of gnoise.",
+                      bl_run_text(run, "vgnoise, %s", slice_words[p]), "", -unlimited, 0,
+                      contrast_difference(c, p, BL_VGNOISE, BL_GNOISE), pairs);
     for (int p = 0; p < 2; p++)
         for (int i = 0; i < BL_SCNOISE; i++)
-            bl_six_claim(run, text_gridless,
-                         "Sparse convolution noise shows fewer gridlike patterns than the others: "
-                         "the other's lattice contrast minus that of scnoise.",
-                         bl_run_text(run, "against %s, %s", bl_six_names[i], slice_words[p]), "", 0,
-                         unlimited, contrast_difference(c, p, i, BL_SCNOISE), pairs);
+            bl_make_claim(run, text_gridless,
+                          "Sparse convolution noise shows fewer gridlike patterns than the others: "
+                          "the other's lattice contrast minus that of scnoise.",
+                          bl_run_text(run, "against %s, %s", bl_six_names[i], slice_words[p]), "",
+                          0, unlimited, contrast_difference(c, p, i, BL_SCNOISE), pairs);
     for (int p = 0; p < 2; p++)
-        bl_six_claim(run, "bandlimit",
-                     "Impulses at uniform places make scnoise stationary: its lattice contrast "
-                     "is 0.",
-                     bl_run_text(run, "scnoise, %s", slice_words[p]), "", -c->limit, c->limit,
-                     bl_mean_estimate(c->values[p][BL_SCNOISE], c->repeats, 0.95), pairs);
+        bl_make_claim(run, "bandlimit",
+                      "Impulses at uniform places make scnoise stationary: its lattice contrast "
+                      "is 0.",
+                      bl_run_text(run, "scnoise, %s", slice_words[p]), "", -c->limit, c->limit,
+                      bl_mean_estimate(c->values[p][BL_SCNOISE], c->repeats, 0.95), pairs);
 }
 
 static bl_status claim_contrast(bl_run *run, const bl_six *six, double between[BL_SIX],
@@ -125,7 +76,7 @@ static bl_status claim_contrast(bl_run *run, const bl_six *six, double between[B
     c.limit = stationary_limit((double)c.repeats, (double)cells);
     bl_run_setting(run, "lattice contrast",
                    bl_run_text(run, "%d x %d places in the cell, %zu pairs of %zu random cells",
-                               PHASES, PHASES, c.repeats, cells));
+                               BL_CONTRAST_PHASES, BL_CONTRAST_PHASES, c.repeats, cells));
     double *all = malloc(sizeof *all * c.repeats * (2 * BL_SIX + 1));
     if (!all)
         return bl_report(message, BL_DEVICE, "out of memory");
@@ -134,7 +85,8 @@ static bl_status claim_contrast(bl_run *run, const bl_six *six, double between[B
         bl_run_step(run, bl_run_text(run, "lattice contrast, %s", slice_words[p]));
         for (int i = 0; i < BL_SIX; i++) {
             double *values = c.values[p][i] = all + (size_t)(p * BL_SIX + i) * c.repeats;
-            measure_contrast(run, six->signal[i], p, cells, c.repeats, values);
+            bl_lattice_contrast(six->signal[i], p, cells, c.repeats, bl_run_settings(run)->seed,
+                                values);
             (p ? on_plane : between)[i] = bl_mean_estimate(values, c.repeats, 0.95).value;
         }
     }
@@ -193,12 +145,12 @@ static bl_status claim_anisotropy(bl_run *run, const bl_six *six, double *mean,
     for (int i = 0; i < BL_SCNOISE && status == BL_OK; i++) {
         for (int r = 0; r < ANISOTROPY_REPEATS; r++)
             difference[r] = values[i][r] - values[BL_SCNOISE][r];
-        bl_six_claim(run, text_gridless,
-                     "Sparse convolution noise prefers fewer directions than the others: the "
-                     "other's ring anisotropy minus that of scnoise.",
-                     bl_run_text(run, "against %s, slice at random places", bl_six_names[i]), "dB",
-                     0, unlimited, bl_mean_estimate(difference, ANISOTROPY_REPEATS, 0.95),
-                     "spectra");
+        bl_make_claim(run, text_gridless,
+                      "Sparse convolution noise prefers fewer directions than the others: the "
+                      "other's ring anisotropy minus that of scnoise.",
+                      bl_run_text(run, "against %s, slice at random places", bl_six_names[i]), "dB",
+                      0, unlimited, bl_mean_estimate(difference, ANISOTROPY_REPEATS, 0.95),
+                      "spectra");
     }
     return status;
 }

@@ -39,24 +39,24 @@ static void claim_at_points(bl_run *run, int noise, double largest, bl_estimate 
         // All eight gradients meet distances of 0 or weights of 0 there: no rounding, no scatter.
         bl_estimate size =
             largest == 0 ? bl_exactly(0, mean.samples) : bl_observed(largest, mean.samples);
-        bl_six_claim(run, "peachey2003, Gradient Noise",
-                     "Gradient noise is zero at every lattice point: the largest size there.",
-                     reading, "", 0, 1e-12, size, points);
-        bl_six_claim(run, "bandlimit",
-                     "Our gnoise is zero at every lattice point: the largest size there.", reading,
-                     "", 0, 1e-12, size, points);
+        bl_make_claim(run, "peachey2003, Gradient Noise",
+                      "Gradient noise is zero at every lattice point: the largest size there.",
+                      reading, "", 0, 1e-12, size, points);
+        bl_make_claim(run, "bandlimit",
+                      "Our gnoise is zero at every lattice point: the largest size there.", reading,
+                      "", 0, 1e-12, size, points);
     }
     // 0.05 is a tenth of the mean size of vnoise: far from the zeros that are to go away.
     if (noise == BL_VGNOISE)
-        bl_six_claim(run, "peachey2003, Value-Gradient Noise",
-                     "Adding value noise to gradient noise takes its regular zeros away: the "
-                     "mean size at lattice points.",
-                     reading, "", 0.05, unlimited, mean, points);
+        bl_make_claim(run, "peachey2003, Value-Gradient Noise",
+                      "Adding value noise to gradient noise takes its regular zeros away: the "
+                      "mean size at lattice points.",
+                      reading, "", 0.05, unlimited, mean, points);
     if (noise == BL_VNOISE)
-        bl_six_claim(run, "bandlimit",
-                     "Value noise is not zero at the lattice points but takes their random "
-                     "numbers, uniform on [-1, 1], whose mean size is 1/2.",
-                     reading, "", 0.5 - limit, 0.5 + limit, mean, points);
+        bl_make_claim(run, "bandlimit",
+                      "Value noise is not zero at the lattice points but takes their random "
+                      "numbers, uniform on [-1, 1], whose mean size is 1/2.",
+                      reading, "", 0.5 - limit, 0.5 + limit, mean, points);
 }
 
 static void claim_lattice_values(bl_run *run, const bl_six *six, size_t count, double *values) {
@@ -110,12 +110,12 @@ static void claim_continuity(bl_run *run, const bl_signal *vnoise, size_t count,
         }
         const char *line = on_edge ? "on a lattice edge" : "at a random place";
         // Rounding: values of size 1 with errors of some 1e-15, divided by h^2 = 1/16.
-        bl_six_claim(run, "peachey2003, Value Noise", sentence,
-                     bl_run_text(run, "first derivative, along a line %s", line), "per cell", 0,
-                     1e-9, bl_mean_estimate(first, count, 0.95), planes);
-        bl_six_claim(run, "peachey2003, Value Noise", sentence,
-                     bl_run_text(run, "second derivative, along a line %s", line),
-                     "per cell squared", 0, 1e-9, bl_mean_estimate(second, count, 0.95), planes);
+        bl_make_claim(run, "peachey2003, Value Noise", sentence,
+                      bl_run_text(run, "first derivative, along a line %s", line), "per cell", 0,
+                      1e-9, bl_mean_estimate(first, count, 0.95), planes);
+        bl_make_claim(run, "peachey2003, Value Noise", sentence,
+                      bl_run_text(run, "second derivative, along a line %s", line),
+                      "per cell squared", 0, 1e-9, bl_mean_estimate(second, count, 0.95), planes);
     }
 }
 
@@ -170,10 +170,10 @@ static void claim_turns(bl_run *run, const bl_signal *gnoise, size_t count) {
             int turns = turns_in_cell(gnoise, at, offset);
             fewest = turns < fewest ? turns : fewest;
         }
-        bl_six_claim(run, "peachey2003, Gradient Noise", sentence,
-                     bl_run_text(run, "gnoise, along a %s, observed over %zu cells",
-                                 on_edge ? "lattice edge" : "line at a random place", count),
-                     "a cell", 1, unlimited, bl_observed(fewest, (double)count), cells);
+        bl_make_claim(run, "peachey2003, Gradient Noise", sentence,
+                      bl_run_text(run, "gnoise, along a %s, observed over %zu cells",
+                                  on_edge ? "lattice edge" : "line at a random place", count),
+                      "a cell", 1, unlimited, bl_observed(fewest, (double)count), cells);
     }
 }
 
@@ -203,17 +203,17 @@ static bl_status claim_range(bl_run *run, size_t samples, bl_message *message) {
         const char *sentence =
             "B-splines approximate the lattice numbers and so have a narrower "
             "range than the Catmull-Rom spline.";
-        bl_six_claim(
+        bl_make_claim(
             run, "peachey2003, Value Noise", sentence,
             bl_run_text(run, "%s, variance against Catmull-Rom, at random places", kernels[i]),
             "dB", -unlimited, 0, ratio, "batches");
-        bl_six_claim(run, "peachey2003, Value Noise", sentence,
-                     bl_run_text(run, "%s, observed range over that of Catmull-Rom", kernels[i]),
-                     "", 0, 1,
-                     bl_observed((histogram[i].maximum - histogram[i].minimum) /
-                                     (histogram[0].maximum - histogram[0].minimum),
-                                 (double)histogram[i].count),
-                     "values");
+        bl_make_claim(run, "peachey2003, Value Noise", sentence,
+                      bl_run_text(run, "%s, observed range over that of Catmull-Rom", kernels[i]),
+                      "", 0, 1,
+                      bl_observed((histogram[i].maximum - histogram[i].minimum) /
+                                      (histogram[0].maximum - histogram[0].minimum),
+                                  (double)histogram[i].count),
+                      "values");
     }
     for (int i = 0; i < measured; i++)
         bl_histogram_free(&histogram[i]);

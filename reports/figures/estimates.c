@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "reports/figures/estimates.h"
+
+#include <math.h>
+
+bl_estimate bl_exactly(double value, double samples) {
+    return (bl_estimate){value, value, value, 1, samples};
+}
+
+bl_estimate bl_observed(double value, double samples) {
+    return (bl_estimate){value, value, value, 0, samples};
+}
+
+bl_estimate bl_difference(bl_estimate a, bl_estimate b) {
+    double value = a.value - b.value;
+    return (bl_estimate){value, value - hypot(a.value - a.lower, b.upper - b.value),
+                         value + hypot(a.upper - a.value, b.value - b.lower), a.level,
+                         fmin(a.samples, b.samples)};
+}
+
+bl_estimate bl_ratio_db(bl_estimate a, bl_estimate b) {
+    const double db = 10 / log(10);
+    double value = db * log(a.value / b.value);
+    double below = db * hypot((a.value - a.lower) / a.value, (b.upper - b.value) / b.value);
+    double above = db * hypot((a.upper - a.value) / a.value, (b.value - b.lower) / b.value);
+    return (bl_estimate){value, value - below, value + above, a.level, fmin(a.samples, b.samples)};
+}
+
+void bl_make_claim(bl_run *run, const char *source, const char *sentence, const char *reading,
+                   const char *unit, double lower, double upper, bl_estimate measured,
+                   const char *counted) {
+    bl_run_claim(run, &(bl_claim){.sentence = sentence,
+                                  .source = source,
+                                  .reading = reading,
+                                  .unit = unit,
+                                  .expected_lower = lower,
+                                  .expected_upper = upper,
+                                  .measured = measured,
+                                  .counted = counted});
+}

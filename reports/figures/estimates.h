@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+//
+// The arithmetic of estimates that the claims of figures share.
+#ifndef BL_REPORTS_FIGURES_ESTIMATES_H
+#define BL_REPORTS_FIGURES_ESTIMATES_H
+
+#include "core/statistics.h"
+#include "reports/experiment.h"
+
+// A number that is computed, not sampled: it has no interval because it needs none.
+bl_estimate bl_exactly(double value, double samples);
+// The extreme of all that was looked at, or the largest of several deviations: a number whose
+// interval is not estimated, and that more samples may pass.
+bl_estimate bl_observed(double value, double samples);
+// a - b of independent estimates: half widths add in squares. `samples` is that of the poorer one.
+bl_estimate bl_difference(bl_estimate a, bl_estimate b);
+// 10 log10(a / b) of independent positive estimates, to first order; the level is that of a.
+bl_estimate bl_ratio_db(bl_estimate a, bl_estimate b);
+
+// Makes and keeps a claim; the texts are literals or made by bl_run_text. `counted` says
+// what the samples of the estimate are.
+void bl_make_claim(bl_run *run, const char *source, const char *sentence, const char *reading,
+                   const char *unit, double lower, double upper, bl_estimate measured,
+                   const char *counted);
+
+#endif

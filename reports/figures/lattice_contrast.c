@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "reports/figures/lattice_contrast.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "core/random.h"
+
+enum { PHASES = BL_CONTRAST_PHASES, LATTICE_SPAN = 100000 };
+
+// The mean square at each place of the cell over `cells` random cells; the noises have mean zero.
+static void square_by_phase(const bl_signal *signal, bl_random *random, int on_plane, size_t cells,
+                            double out[PHASES * PHASES]) {
+    float row[PHASES];
+    const double step[BL_AXES] = {1.0 / PHASES, 0, 0, 0};
+    memset(out, 0, PHASES * PHASES * sizeof *out);
+    for (size_t c = 0; c < cells; c++) {
+        double corner[3];
+        for (int a = 0; a < 3; a++)
+            corner[a] = floor((bl_random_unit(random) - 0.5) * LATTICE_SPAN);
+        double z = corner[2] + (on_plane ? 0 : bl_random_unit(random));
+        for (int j = 0; j < PHASES; j++) {
+            const double start[BL_AXES] = {corner[0], corner[1] + (double)j / PHASES, z, 0};
+            bl_signal_row(signal, start, step, PHASES, row);
+            for (int i = 0; i < PHASES; i++)
+                out[j * PHASES + i] += (double)row[i] * (double)row[i] / (double)cells;
+        }
+    }
+}
+
+// The contrast from two independent sets of cells.
+static double contrast_of(const double a[PHASES * PHASES], const double b[PHASES * PHASES]) {
+    double mean_a = 0, mean_b = 0, product = 0;
+    const int count = PHASES * PHASES;
+    for (int i = 0; i < count; i++) {
+        mean_a += a[i] / count;
+        mean_b += b[i] / count;
+    }
+    for (int i = 0; i < count; i++)
+        product += (a[i] - mean_a) * (b[i] - mean_b) / count;
+    return product / (mean_a * mean_b);
+}
+
+void bl_lattice_contrast(const bl_signal *signal, int on_plane, size_t cells, size_t repeats,
+                         uint64_t seed, double *out) {
+    double a[PHASES * PHASES], b[PHASES * PHASES];
+    for (size_t r = 0; r < repeats; r++) {
+        bl_random random = bl_random_seed(seed, 40960 + r);
+        square_by_phase(signal, &random, on_plane, cells, a);
+        square_by_phase(signal, &random, on_plane, cells, b);
+        out[r] = contrast_of(a, b);
+    }
+}
