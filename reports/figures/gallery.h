@@ -91,7 +91,8 @@ void bl_gallery_free_spectra(bl_gallery_spectra *spectra);
 typedef struct bl_gallery_spectrum_plot {
     const char *name; // of the files: "line" makes spectrum-line-KEY.csv and the plot spectra-line
     const char *title, *alternative;
-    double highest; // frequency drawn
+    double lowest, highest; // frequencies drawn
+    int logarithmic;        // axis of the frequency
     double lowest_db, highest_db;
     double tick, tick_db;
     const char *x_label;

@@ -139,10 +139,14 @@ static bl_status draw(bl_run *run, const bl_gallery *gallery, const bl_gallery_s
     }
     const bl_limit band_end = {1, 1, "band limit 1"};
     const bl_plot plot = {.title = wanted->title,
-                          .x = {wanted->x_label, 0, wanted->highest, wanted->tick},
+                          .x = {.label = wanted->x_label,
+                                .from = wanted->lowest,
+                                .to = wanted->highest,
+                                .tick = wanted->tick,
+                                .logarithmic = wanted->logarithmic},
                           .y = {what == POWER ? "power density, dB re (variance / (cycle per unit))"
                                               : "anisotropy, dB",
-                                wanted->lowest_db, wanted->highest_db, wanted->tick_db},
+                                wanted->lowest_db, wanted->highest_db, wanted->tick_db, 0},
                           .panels = panels,
                           .panel_count = count,
                           .columns = bl_gallery_columns(count),

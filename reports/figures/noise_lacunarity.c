@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+//
+// noise-lacunarity: the ratio of successive octaves, 2 against 2.17, and Worley's remedy, octaves
+// that are turned or shifted at random: how much of the lattice shows.
+//
+// With the ratio 2 the lattice points of one octave are lattice points of all higher ones: there
+// all octaves of a gradient noise are 0. With 2.17 only the lowest octave's own zeros line up with
+// it.
+#include <math.h>
+#include <stdlib.h>
+
+#include "reports/figures/estimates.h"
+#include "reports/figures/gallery.h"
+#include "reports/figures/lattice_contrast.h"
+
+static const double unlimited = INFINITY;
+static const char section[] = "peachey2003, Spectral Synthesis";
+
+enum { TWO, OTHER, TURNED, SHIFTED, SUMS };
+static const char *const texts[SUMS] = {
+    "fbm:octaves=5,lacunarity=2", "fbm:octaves=5,lacunarity=2.17",
+    "fbm:octaves=5,lacunarity=2,rotate=random", "fbm:octaves=5,lacunarity=2,shift=random"};
+
+typedef struct contrasts {
+    double *values[2][SUMS], *difference;
+    size_t repeats;
+} contrasts;
+
+static const char *const places[2] = {"slices at random heights", "slices on a lattice plane"};
+
+static bl_estimate difference(const contrasts *c, int on_plane, int one, int other) {
+    for (size_t r = 0; r < c->repeats; r++)
+        c->difference[r] = c->values[on_plane][one][r] - c->values[on_plane][other][r];
+    return bl_mean_estimate(c->difference, c->repeats, 0.95);
+}
+
+static void claim_contrasts(bl_run *run, const contrasts *c) {
+    for (int p = 0; p < 2; p++) {
+        bl_make_claim(run, section,
+                      "A ratio of 2.17 reduces the artifacts of the lattice, because the lattice "
+                      "points of the octaves no longer coincide: the lattice contrast with the "
+                      "ratio 2 minus that with 2.17.",
+                      places[p], "", 0, unlimited, difference(c, p, TWO, OTHER),
+                      "pairs of sets of cells");
+        bl_make_claim(run, section,
+                      "Octaves turned at random reduce the artifacts of the lattice (Worley): the "
+                      "lattice contrast without minus that with turning.",
+                      places[p], "", 0, unlimited, difference(c, p, TWO, TURNED),
+                      "pairs of sets of cells");
+        bl_make_claim(run, "bandlimit",
+                      "Octaves shifted at random do the same: the lattice contrast without minus "
+                      "that with shifting.",
+                      places[p], "", 0, unlimited, difference(c, p, TWO, SHIFTED),
+                      "pairs of sets of cells");
+    }
+}
+
+// The variance at a lattice point of the lowest octave, over that anywhere.
+static bl_status write_contrasts(bl_run *run, const bl_gallery *gallery, const contrasts *c,
+                                 bl_message *message) {
+    double table[2][3][SUMS];
+    bl_column columns[7] = {{.name = "signal", .words = gallery->label}};
+    static const char *const names[2][3] = {
+        {"contrast", "contrast_lower", "contrast_upper"},
+        {"contrast_on_plane", "contrast_on_plane_lower", "contrast_on_plane_upper"}};
+    for (int p = 0; p < 2; p++)
+        for (int i = 0; i < SUMS; i++) {
+            bl_estimate e = bl_mean_estimate(c->values[p][i], c->repeats, 0.95);
+            table[p][0][i] = e.value;
+            table[p][1][i] = e.lower;
+            table[p][2][i] = e.upper;
+            for (int k = 0; k < 3; k++)
+                columns[1 + 3 * p + k] = (bl_column){names[p][k], table[p][k], NULL};
+        }
+    return bl_run_csv(run, "contrasts", "lattice contrast, with 95 % intervals", columns, 7, SUMS,
+                      message);
+}
+
+static bl_status measure_contrasts(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+    contrasts c = {.repeats = (size_t)bl_run_pick(run, 16, 32, 64)};
+    size_t cells = (size_t)bl_run_pick(run, 256, 2000, 20000);
+    double *all = malloc(sizeof *all * c.repeats * (2 * SUMS + 1));
+    if (!all)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    c.difference = all + 2 * SUMS * c.repeats;
+    bl_run_setting(run, "lattice contrast",
+                   bl_run_text(run,
+                               "%d x %d places in the cell of the lowest octave, %zu pairs of "
+                               "%zu random cells",
+                               BL_CONTRAST_PHASES, BL_CONTRAST_PHASES, c.repeats, cells));
+    for (int p = 0; p < 2; p++)
+        for (int i = 0; i < SUMS; i++) {
+            bl_run_step(run, bl_run_text(run, "lattice contrast, %s", places[p]));
+            c.values[p][i] = all + (size_t)(p * SUMS + i) * c.repeats;
+            bl_lattice_contrast(gallery->signal[i], p, cells, c.repeats, bl_run_settings(run)->seed,
+                                c.values[p][i]);
+        }
+    claim_contrasts(run, &c);
+    bl_status status = write_contrasts(run, gallery, &c, message);
+    free(all);
+    return status;
+}
+
+static bl_status run_figure(bl_run *run, bl_message *message) {
+    bl_gallery_slices slices = {
+        .name = "plane",
+        .title = "Do the lattice points of the octaves show, on a plane of the lattice?",
+        .alternative =
+            "Four grey slices of 8 by 8 cells on a lattice plane. With the ratio 2 a "
+            "grid of grey points is seen, where all octaves are zero; with 2.17, or "
+            "with octaves turned or shifted, it is not.",
+        .length = 8,
+        .pixels = 384,
+        .unit = "cells of the lowest octave"};
+    bl_gallery gallery;
+    bl_status status = bl_gallery_open(run, texts, SUMS, &gallery, message);
+    if (status != BL_OK)
+        return status;
+    status = bl_gallery_draw_slices(run, &gallery, &slices, message);
+    if (status == BL_OK)
+        status = measure_contrasts(run, &gallery, message);
+    bl_gallery_close(&gallery);
+    return status;
+}
+
+static const bl_term terms[] = {
+    {"lacunarity", "the ratio of the frequencies of successive octaves"},
+    {"lattice contrast",
+     "the relative variance, over the places within a cell of the lowest octave, of the variance "
+     "of the noise at that place: 0 for a noise that looks the same at every place"},
+    {0}};
+
+BL_FIGURE_DESCRIPTOR(noise_lacunarity) = {
+    .name = "noise-lacunarity",
+    .title = "Lacunarity 2 against 2.17",
+    .question = "Does a ratio of 2.17 between octaves hide the lattice?",
+    .paper = "peachey2003, Spectral Synthesis",
+    .terms = terms,
+    .shows =
+        "Five octaves of gradient noise on a plane of the lattice of the lowest: with the "
+        "ratio 2, with 2.17, and with the ratio 2 and each octave turned or shifted at "
+        "random. The claims measure how much the variance depends on the place in the cell.",
+    .run = run_figure};

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+//
+// peachey-2.39: the power spectra of fractalsum and turbulence, the exponent of their decline, and
+// what clamping the octaves to a sample width does to them.
+//
+// The text: amplitudes of 1/f make the power spectrum fall as 1/f^2. Octave k has the variance
+// 4^-k, so the power of an octave falls as f^-2; but an octave is as wide as its frequency, so the
+// density along a line falls as f^-3, by radius in a slice as f^-3 too (density in the plane:
+// f^-4).
+#include <math.h>
+#include <stdlib.h>
+
+#include "reports/figures/estimates.h"
+#include "reports/figures/gallery.h"
+#include "spectra/psd.h"
+
+static const double unlimited = INFINITY;
+static const char section[] = "peachey2003, Spectral Synthesis";
+
+enum { LOWEST = 1, HIGHEST = 64, RATE = 256 };
+
+// --- the spectra --------------------------------------------------------------------------------
+
+static bl_psd_settings line_settings(const bl_run *run, double averages) {
+    bl_psd_settings s = bl_psd_default_settings(1);
+    s.rate = RATE;
+    s.size = 8192;
+    s.averages = (size_t)averages;
+    s.seed = bl_run_settings(run)->seed;
+    s.threads = bl_run_settings(run)->threads;
+    return s;
+}
+
+// --- the exponent -------------------------------------------------------------------------------
+
+// The slope of log power over log frequency by least squares over equal steps of log frequency,
+// from f = 2 to 32: within the octaves, away from the lowest and the highest.
+static double slope_of(const bl_psd *psd, int per_octave) {
+    double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
+    int bins = 0;
+    double factor = pow(2, per_octave ? 1 : 0.25);
+    for (double from = 2; from < 31.9; from *= factor, bins++) {
+        bl_band band = {.from = from, .to = from * factor};
+        bl_psd_band(psd, &band);
+        double width = per_octave ? 1 : from * (factor - 1);
+        double x = log2(from), y = log2(band.fraction.value / width);
+        sum_x += x;
+        sum_y += y;
+        sum_xx += x * x;
+        sum_xy += x * y;
+    }
+    return (bins * sum_xy - sum_x * sum_y) / (bins * sum_xx - sum_x * sum_x);
+}
+
+enum { FITS = 12 }; // spectra of independent seeds and places, each with its own fit
+
+static bl_status fit(bl_run *run, const bl_signal *signal, bl_estimate slopes[2],
+                     bl_message *message) {
+    double values[2][FITS];
+    bl_psd_settings settings = line_settings(run, bl_run_pick(run, 16, 128, 2048));
+    for (int i = 0; i < FITS; i++) {
+        bl_psd psd;
+        settings.seed = bl_run_settings(run)->seed + 1000 + (uint64_t)i;
+        bl_status status = bl_psd_measure(signal, &settings, &psd, message);
+        if (status != BL_OK)
+            return status;
+        for (int k = 0; k < 2; k++)
+            values[k][i] = slope_of(&psd, k);
+        bl_psd_free(&psd);
+    }
+    for (int k = 0; k < 2; k++)
+        slopes[k] = bl_mean_estimate(values[k], FITS, 0.95);
+    return BL_OK;
+}
+
+static bl_status claim_slopes(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+    static const char sentence[] =
+        "Amplitudes that fall as 1/f make the power spectrum fall as 1/f^2: the exponent fitted "
+        "from 2 to 32 cycles per unit.";
+    for (size_t i = 0; i < gallery->count; i++) {
+        bl_estimate slopes[2];
+        bl_run_step(run, "fitting the exponent");
+        bl_status status = fit(run, gallery->signal[i], slopes, message);
+        if (status != BL_OK)
+            return status;
+        bl_make_claim(run, section, sentence,
+                      bl_run_text(run, "%s, density along a line", gallery->label[i]), "", -2.2,
+                      -1.8, slopes[0], "fits");
+        bl_make_claim(run, section, sentence,
+                      bl_run_text(run, "%s, power of each octave", gallery->label[i]), "", -2.2,
+                      -1.8, slopes[1], "fits");
+        if (i == 0)
+            bl_make_claim(
+                run, "bandlimit",
+                "The octaves of a fractal sum have the variance f^-2 on a width f, so the "
+                "density along a line falls as f^-3: the exponent fitted.",
+                "fractalsum, density along a line", "", -3.15, -2.85, slopes[0], "fits");
+    }
+    return BL_OK;
+}
+
+// --- clamping -----------------------------------------------------------------------------------
+
+enum { PLAIN, HARD, FADED, WAYS };
+static const char *const way_words[WAYS] = {"not clamped", "hard cutoff", "faded"};
+static const char *const way_settings[WAYS] = {"", ",clamp=hard,width=1/16",
+                                               ",clamp=fade,width=1/16"};
+enum { NYQUIST = 8 }; // of samples 1/16 apart
+
+static bl_status claim_clamping(bl_run *run, bl_message *message) {
+    static const char *const names[] = {"fractalsum", "turbulence"};
+    const bl_reproduce_settings *settings = bl_run_settings(run);
+    bl_psd_settings line = line_settings(run, bl_run_pick(run, 64, 512, 8192));
+    bl_run_setting(run, "clamping", "to samples 1/16 apart: nothing above 8 cycles per unit");
+    for (int n = 0; n < 2; n++) {
+        bl_estimate share[WAYS], mean[WAYS];
+        for (int w = 0; w < WAYS; w++) {
+            bl_signal *signal = NULL;
+            bl_psd psd;
+            bl_run_step(run, bl_run_text(run, "clamping %s", names[n]));
+            bl_status status = bl_noise_open(
+                bl_run_text(run, "%s:min=%d,max=%d,seed=%llu%s", names[n], LOWEST, HIGHEST,
+                            (unsigned long long)settings->seed, way_settings[w]),
+                settings->isa, &signal, message);
+            if (status == BL_OK)
+                status = bl_psd_measure(signal, &line, &psd, message);
+            bl_signal_free(signal);
+            if (status != BL_OK)
+                return status;
+            bl_band above = {.from = NYQUIST, .to = INFINITY};
+            bl_psd_band(&psd, &above);
+            share[w] = above.fraction;
+            double deviation = sqrt(psd.variance.value);
+            mean[w] = (bl_estimate){psd.mean / deviation, psd.mean / deviation,
+                                    psd.mean / deviation, 0, psd.variance.samples};
+            bl_psd_free(&psd);
+        }
+        for (int w = HARD; w < WAYS; w++) {
+            bl_make_claim(run, section,
+                          "Clamping the octaves to the sample width prevents aliasing: the share "
+                          "of the variance above Nyquist, over that without clamping.",
+                          bl_run_text(run, "%s, %s", names[n], way_words[w]), "dB", -unlimited, -10,
+                          bl_ratio_db(share[w], share[PLAIN]), "averages");
+            if (n == 1)
+                bl_make_claim(run, "bandlimit",
+                              "Octaves that are clamped away leave their mean behind: the mean of "
+                              "turbulence against that without clamping, in standard deviations.",
+                              bl_run_text(run, "turbulence, %s", way_words[w]), "", -0.1, 0.1,
+                              bl_observed(mean[w].value - mean[PLAIN].value, mean[w].samples),
+                              "averages");
+        }
+    }
+    return BL_OK;
+}
+
+// --- the figure ---------------------------------------------------------------------------------
+
+static bl_status draw(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+    bl_psd_settings settings = line_settings(run, bl_run_pick(run, 64, 1024, 16384));
+    bl_run_setting(run, "spectra along a line at a random place",
+                   bl_run_text(run,
+                               "%zu averages of %zu samples, %g a unit; a fresh place and a "
+                               "fresh seed for each",
+                               settings.averages, settings.size, settings.rate));
+    bl_gallery_spectra spectra;
+    bl_status status =
+        bl_gallery_measure_spectra(run, gallery, &settings, "along a line", &spectra, message);
+    const bl_gallery_spectrum_plot plot = {
+        .name = "line",
+        .title = "How fast does the power of the two sums decline?",
+        .alternative =
+            "Power spectra along a line on logarithmic frequency: straight declines "
+            "from the lowest octave to the highest, then a fall. Turbulence keeps power "
+            "above its highest octave, because its creases have no band limit.",
+        .lowest = 0.25,
+        .highest = RATE / 2,
+        .lowest_db = -120,
+        .highest_db = 10,
+        .tick_db = 20,
+        .logarithmic = 1,
+        .x_label = "frequency, cycles per unit"};
+    if (status == BL_OK)
+        status = bl_gallery_draw_spectra(run, gallery, &spectra, &plot, message);
+    bl_gallery_free_spectra(&spectra);
+    return status;
+}
+
+static bl_status run_figure(bl_run *run, bl_message *message) {
+    static const char *const texts[] = {"fractalsum:min=1,max=64",
+                                        "turbulence:min=1,max=64",
+                                        "fractalsum:min=1,max=64,clamp=hard,width=1/16",
+                                        "turbulence:min=1,max=64,clamp=hard,width=1/16",
+                                        "fractalsum:min=1,max=64,clamp=fade,width=1/16",
+                                        "turbulence:min=1,max=64,clamp=fade,width=1/16"};
+    bl_gallery gallery;
+    bl_status status = bl_gallery_open(run, texts, 6, &gallery, message);
+    if (status != BL_OK)
+        return status;
+    status = draw(run, &gallery, message);
+    if (status == BL_OK) {
+        bl_gallery plain = gallery;
+        plain.count = 2;
+        status = claim_slopes(run, &plain, message);
+    }
+    bl_gallery_close(&gallery);
+    return status == BL_OK ? claim_clamping(run, message) : status;
+}
+
+static const bl_term terms[] = {
+    {"exponent",
+     "the slope of the logarithm of the power over the logarithm of the frequency, by "
+     "least squares over quarter octaves (of the density) or whole ones (of the power "
+     "of each octave)"},
+    {"clamping",
+     "leaving out the octaves that lie above half the sampling rate: at once (hard), or "
+     "with a weight that fades to 0 over the last octave"},
+    {0}};
+
+BL_FIGURE_DESCRIPTOR(peachey_2_39) = {
+    .name = "peachey-2.39",
+    .title = "Power spectra of fractalsum and turbulence",
+    .question = "How fast does the power of a sum of octaves decline, and what does clamping do?",
+    .paper = "peachey2003, fig. 2.39",
+    .terms = terms,
+    .shows =
+        "The power along a line at a random place, on logarithmic axes, of the two sums as the "
+        "text draws them, and clamped to samples 1/16 apart, whose Nyquist frequency is 8.",
+    .run = run_figure};
