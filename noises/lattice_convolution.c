@@ -256,7 +256,8 @@ static void row(const void *block, const double start[BL_AXES], const double ste
     size_t from, to;
     find_inside(start, step, count, &from, &to);
     if (p->kernel == KERNEL_EXACT && from < to &&
-        axis_row_open(&along, start, step, from, to - from)) {
+        axis_row_open(&along, start, step, from, to - from) &&
+        tiles_repeat(&p->lattice, along.axis)) {
         cell_numbers numbers;
         cell_numbers_open(&numbers, &p->lattice);
         row_along_axis(&numbers, &along, to - from, out + from);
