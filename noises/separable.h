@@ -49,8 +49,9 @@ typedef struct bl_axis_block {
 } bl_axis_block;
 
 typedef struct bl_point_block {
-    bl_axis_block axis[3];
-    size_t lanes; // the points, rounded up to a multiple of BL_LANES with copies of the last
+    bl_axis_block axis[BL_AXES];
+    unsigned dimensions; // the axes that are loaded
+    size_t lanes;        // the points, rounded up to a multiple of BL_LANES with copies of the last
     int any_outside;
     unsigned char outside[BL_BLOCK];
     const bl_lattice *lattice;
@@ -196,6 +197,7 @@ static inline void bl_point_block_begin(bl_point_block *block, const bl_lattice 
     block->lattice = lattice;
     block->first = first;
     block->knots = knots;
+    block->dimensions = 3;
     if (lattice->kind == BL_LATTICE_PERM256)
         for (unsigned component = 0; component < BL_COMPONENTS; component++)
             bl_perm256_words(lattice, component, block->words256[component]);
@@ -207,7 +209,7 @@ static inline void bl_point_block_load(bl_point_block *block, const double *cons
     double padded[BL_BLOCK];
     block->lanes = (count + BL_LANES - 1) / BL_LANES * BL_LANES;
     block->any_outside = 0;
-    for (unsigned axis = 0; axis < 3; axis++) {
+    for (unsigned axis = 0; axis < block->dimensions; axis++) {
         const double *x = at[axis] + from;
         if (count < block->lanes) {
             for (size_t i = 0; i < block->lanes; i++)
@@ -383,7 +385,8 @@ static inline void bl_row_keys_periodic(const bl_row_block *block, const bl_latt
                                         uint32_t *restrict exclusive) {
     const uint32_t period = lattice->period[axis];
     uint64_t plane = bl_lattice_wrap(lattice, axis, block->cell + (uint64_t)(int64_t)first);
-    const uint32_t low = bl_lattice_high(lattice, axis, 0), high = bl_lattice_high(lattice, axis, 1);
+    const uint32_t low = bl_lattice_high(lattice, axis, 0),
+                   high = bl_lattice_high(lattice, axis, 1);
     for (size_t m = 0; m < block->lanes; m++, plane = bl_lattice_next(period, plane)) {
         add[m] = ((uint32_t)plane + 0x80000000u + lattice->offset[axis]) * BL_LATTICE_M1;
         exclusive[m] = bl_lattice_exclusive(add[m], plane >> 31 ? high : low);
@@ -459,11 +462,9 @@ static inline void bl_row_words256(const bl_row_block *block, const bl_row_cross
     const int knot[2] = {j, k};
     uint64_t cell[3];
     for (int b = 0; b < 2; b++)
-        cell[cross->across[b]] =
-            bl_lattice_wrap(lattice, cross->across[b],
-                            cross->cell[b] + (uint64_t)(int64_t)(first + knot[b]));
-    uint64_t plane =
-        bl_lattice_wrap(lattice, cross->axis, block->cell + (uint64_t)(int64_t)first);
+        cell[cross->across[b]] = bl_lattice_wrap(
+            lattice, cross->across[b], cross->cell[b] + (uint64_t)(int64_t)(first + knot[b]));
+    uint64_t plane = bl_lattice_wrap(lattice, cross->axis, block->cell + (uint64_t)(int64_t)first);
     // Without a period no plane is followed by plane 0, but -1, which has it anyway.
     const uint32_t period = lattice->period[cross->axis];
     for (size_t m = 0; m < block->lanes; m++, plane = bl_lattice_next(period, plane)) {
