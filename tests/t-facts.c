@@ -76,6 +76,10 @@ static void sample_line(const bl_signal *signal, bl_random *random, unsigned axi
         if (a == axis || (axis == OBLIQUE && a < 3))
             step[a] = axis == OBLIQUE ? h * (floor(16 * bl_random_unit(random)) - 7.5) / 8 : h;
     }
+    // A long line has no end near a plane or a knot: the largest difference might be in a piece too
+    // short for the longer stride.
+    if (axis != OBLIQUE && (double)count * h > 1)
+        start[axis] = floor(start[axis]) + 0.25;
     for (size_t i = 0; i < count; i++) {
         for (int a = 0; a < BL_AXES; a++)
             at[a] = start[a] + (double)i * step[a];
