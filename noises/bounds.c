@@ -15,6 +15,14 @@
 // the cell. For the edges of the cube the maximum is the sum of the two largest |d_a|; the middle
 // gives 1 and is not the worst.
 //
+// In d dimensions. Value noise: the sum of sizes to the power d. Unit gradients: d axes have
+// e <= 1/4 each, so the bound is sqrt(d)/2, again reached in the middle; in one dimension numbers
+// below 1 in size serve as unit vectors. The edges: +-1 in one dimension, as before 1/2; the
+// diagonals in two, whose maximum is |d_x| + |d_y|: each axis adds at most the root of its e, 1/2;
+// the 32 edges in four, of length sqrt(3): sqrt(3) times the bound of unit vectors, not reached
+// (the middle has 3/2). Rounded up by 1e-5 where the number is exact, because rows in float may
+// round past it.
+//
 // Hermite noise. sum_c h0 h0 h0 = 1, and the tangents of one axis add h1(t) + h1(1-t) = t (1-t)
 // <= 1/4: 1 + 3/4, reached in the middle.
 //
@@ -52,6 +60,31 @@ bl_bound bl_bound_gradient(bl_kernel weight, int edges) {
     return (bl_bound){most,
                       "the sum over the corners of weight times the two largest |d|, certified "
                       "over the cell by branch and bound"};
+}
+
+bl_bound bl_bound_value_in(bl_kernel kernel, unsigned dimensions) {
+    if (kernel == BL_KERNEL_CATMULL_ROM && dimensions != 3)
+        return (bl_bound){pow(1.25, dimensions),
+                          "values below 1; the sizes of the spline's weights sum to at most 5/4 "
+                          "along each axis: 5/4 to the power of the dimensions"};
+    return bl_bound_value(kernel);
+}
+
+bl_bound bl_bound_gradient_in(bl_kernel weight, int edges, unsigned dimensions) {
+    static const double unit[] = {0, 0.50001, 0.70711, 0, 1.00001};
+    if (dimensions == 3)
+        return bl_bound_gradient(weight, edges);
+    if (!edges || dimensions == 1)
+        return (bl_bound){unit[dimensions],
+                          "gradients of length 1 at most; the mean of |d| over the corners is at "
+                          "most the root of the mean of d^2, half the root of the dimensions"};
+    if (dimensions == 2)
+        return (bl_bound){1.00001,
+                          "|g . d| = |d_x| + |d_y| at most for the diagonals, and the mean of "
+                          "either over the corners is at most 1/2"};
+    return (bl_bound){1.73206,
+                      "gradients of length sqrt(3); the mean of |d| over the corners is at most "
+                      "the root of the mean of d^2, which is 1"};
 }
 
 bl_bound bl_bound_hermite(void) {

@@ -11,13 +11,21 @@ static void add(bl_terms *terms, bl_term term) {
     terms->term[terms->count++] = term;
 }
 
+static int axes(const bl_terms *terms) {
+    return terms->dimensions ? (int)terms->dimensions : 3;
+}
+
+static bl_term product_term(double variance, bl_kernel kernel) {
+    return (bl_term){.variance = variance, .kernel = {kernel, kernel, kernel, kernel}};
+}
+
 void bl_terms_add_value(bl_terms *terms, double variance, bl_kernel kernel) {
-    add(terms, (bl_term){.variance = variance, .kernel = {kernel, kernel, kernel}});
+    add(terms, product_term(variance, kernel));
 }
 
 void bl_terms_add_gradient(bl_terms *terms, double variance, bl_kernel ramp, bl_kernel weight) {
-    for (int axis = 0; axis < 3; axis++) {
-        bl_term term = {.variance = variance, .kernel = {weight, weight, weight}};
+    for (int axis = 0; axis < axes(terms); axis++) {
+        bl_term term = product_term(variance, weight);
         term.kernel[axis] = ramp;
         add(terms, term);
     }
@@ -47,7 +55,7 @@ double bl_terms_covariance(const bl_terms *terms, const double lag[BL_AXES]) {
         if (term->radial)
             product *= bl_radial_correlation(length(lag));
         else
-            for (int a = 0; a < 3 && product != 0; a++)
+            for (int a = 0; a < axes(terms) && product != 0; a++)
                 product *= bl_kernel_correlation(term->kernel[a], lag[a]);
         sum += product;
     }
@@ -62,7 +70,7 @@ double bl_terms_density(const bl_terms *terms, const double frequency[BL_AXES]) 
         if (term->radial)
             product = bl_radial_transform(length(frequency));
         else
-            for (int a = 0; a < 3; a++)
+            for (int a = 0; a < axes(terms); a++)
                 product *= bl_kernel_transform(term->kernel[a], frequency[a]);
         sum += term->variance * product * product;
     }
@@ -76,7 +84,7 @@ double bl_terms_variance(const bl_terms *terms) {
 static double reach(const bl_terms *terms) {
     double most = 0;
     for (int i = 0; i < terms->count; i++)
-        for (int a = 0; a < 3; a++) {
+        for (int a = 0; a < axes(terms); a++) {
             const bl_term *term = &terms->term[i];
             double own = term->radial ? BL_RADIAL_REACH : 2 * bl_kernel_support(term->kernel[a]);
             most = fmax(most, own);

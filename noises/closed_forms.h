@@ -15,6 +15,9 @@
 // the cross terms vanish because the amplitudes are independent of mean 0. The second needs no mean
 // over places: such a noise is stationary to second order, exactly.
 //
+// In d dimensions, 1 to 4, the products run over the first d axes, and components of lags and
+// frequencies beyond them are not read. Radial terms have three dimensions.
+//
 // The forms assume that different lattice points have uncorrelated numbers. A table of 256 numbers
 // repeats them (rows of a slice are shifts of one another), so lattice=perm256 has none.
 #ifndef BL_NOISES_CLOSED_FORMS_H
@@ -28,19 +31,20 @@ enum { BL_TERMS_MOST = 12 };
 
 typedef struct bl_term {
     double variance;
-    bl_kernel kernel[3];
+    bl_kernel kernel[BL_AXES];
     int radial; // 1: the radial Catmull-Rom kernel, `kernel` is not read
 } bl_term;
 
 typedef struct bl_terms {
     int count;
+    unsigned dimensions; // 0 means 3
     bl_term term[BL_TERMS_MOST];
 } bl_terms;
 
 // The variance of n equally likely values, the odd multiples of 1/n in (-1, 1): (1 - n^-2)/3.
 #define BL_VALUE_VARIANCE(n) ((1 - 1.0 / ((double)(n) * (double)(n))) / 3)
 
-// sum_c a_c k(x) k(y) k(z).
+// sum_c a_c k(x) k(y) k(z), or as many axes as the terms have dimensions.
 void bl_terms_add_value(bl_terms *terms, double variance, bl_kernel kernel);
 // sum_c g_c . d w(x) w(y) w(z), with E[g_a g_b] = variance if a = b, else 0; `ramp` is d w(d): one
 // term an axis, with the ramp along that axis and w along the others.
@@ -72,7 +76,10 @@ typedef struct bl_bound {
 
 bl_bound bl_bound_value(bl_kernel kernel);               // values in (-1, 1), three axes
 bl_bound bl_bound_gradient(bl_kernel weight, int edges); // unit vectors, or the 12 edges
-bl_bound bl_bound_hermite(void);                         // values and tangents in (-1, 1)
+// The same in 1 to 4 dimensions; the edges are those of noises/lattice_dimensions.h.
+bl_bound bl_bound_value_in(bl_kernel kernel, unsigned dimensions);
+bl_bound bl_bound_gradient_in(bl_kernel weight, int edges, unsigned dimensions);
+bl_bound bl_bound_hermite(void); // values and tangents in (-1, 1)
 bl_bound bl_bound_lattice_convolution(unsigned table);
 bl_bound bl_bound_sparse_convolution(unsigned table); // any number of impulses a cell
 

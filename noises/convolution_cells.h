@@ -51,9 +51,10 @@ typedef struct lane_keys {
 } lane_keys;
 
 static inline bl_lattice_key lane_key(const cell_numbers *numbers, int axis, uint64_t cell) {
-    bl_lattice_key key = bl_lattice_key_of(&numbers->lattice, (unsigned)axis, cell);
+    uint64_t wrapped = bl_lattice_wrap(&numbers->lattice, (unsigned)axis, cell);
+    bl_lattice_key key = bl_lattice_wrapped_key(&numbers->lattice, (unsigned)axis, wrapped);
     if (numbers->lattice.kind == BL_LATTICE_PERM256)
-        key.add = (uint32_t)bl_lattice_wrap(&numbers->lattice, (unsigned)axis, cell);
+        key.add = (uint32_t)wrapped;
     return key;
 }
 
@@ -62,6 +63,21 @@ static inline void set_lane_key(const cell_numbers *numbers, int axis, uint64_t 
     bl_lattice_key key = lane_key(numbers, axis, cell);
     keys->add[lane] = key.add;
     keys->exclusive[lane] = key.exclusive;
+}
+
+// The keys of 16 cells at once; `cell` is left wrapped.
+static inline void set_lane_keys(const cell_numbers *numbers, int axis, uint64_t cell[LANES],
+                                 lane_keys *keys) {
+    const bl_lattice *lattice = &numbers->lattice;
+    if (lattice->period[axis]) // a division, which the loop below must not have in it
+        for (int l = 0; l < LANES; l++)
+            cell[l] = bl_lattice_wrap(lattice, (unsigned)axis, cell[l]);
+#pragma omp simd
+    for (int l = 0; l < LANES; l++) {
+        bl_lattice_key key = bl_lattice_wrapped_key(lattice, (unsigned)axis, cell[l]);
+        keys->add[l] = lattice->kind == BL_LATTICE_PERM256 ? (uint32_t)cell[l] : key.add;
+        keys->exclusive[l] = key.exclusive;
+    }
 }
 
 static inline void permuted_words(const cell_numbers *numbers, const uint32_t *const add[3],

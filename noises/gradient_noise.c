@@ -5,13 +5,19 @@
 //   n(p) = sum over the 8 corners c of the cell of (g_c . d) w(d_x) w(d_y) w(d_z),  d = p - c
 //   w(d) = 1 - fade(|d|)
 //
+// and the same over the 2, 4 or 16 corners in one, two or four dimensions with dims=1, 2, 4, the
+// gradients being those of as many dimensions: the fourth may be time.
+//
 // Parameters
 //   seed       64 bits, chooses the gradients
+//   dims       1 to 4, default 3
 //   fade       cubic 3 t^2 - 2 t^3 (the text's smoothstep, C1), quintic 6 t^5 - 15 t^4 + 10 t^3
 //              (Perlin 2002, C2), linear t (C0)
 //   gradients  sphere (the text), rejection (Perlin's own scheme), edges (Perlin 2002: the 12 edge
-//              midpoints of a cube, of length sqrt 2)
+//              midpoints of a cube, of length sqrt 2); noises/lattice_dimensions.h has those of
+//              1, 2 and 4 dimensions and their variances
 //   lattice    hash, or the text's perm256, which repeats after 256 cells (noises/lattice.h)
+//   component, period   noises/common_parameters.h; with a period no variance is stated
 //
 // Units: coordinates in cells. The noise is 0 at the lattice points; its gradient there is g_c,
 // but for fade=linear, which has a kink there.
@@ -24,12 +30,12 @@
 #include <stddef.h>
 
 #include "noises/common_parameters.h"
-#include "noises/gradient_kernel.h"
+#include "noises/gradient_dimensions.h"
 #include "noises/noise.h"
 
 typedef struct gradient_parameters {
     bl_lattice_settings lattice;
-    uint32_t fade, gradients;
+    uint32_t fade, gradients, dimensions;
 } gradient_parameters;
 
 static bl_gradient_noise gradient_noise_of(const void *block) {
@@ -39,30 +45,53 @@ static bl_gradient_noise gradient_noise_of(const void *block) {
 
 static void row(const void *block, const double start[BL_AXES], const double step[BL_AXES],
                 size_t count, float *out) {
+    const gradient_parameters *p = block;
     bl_gradient_noise noise = gradient_noise_of(block);
-    bl_gradient_row(&noise, start, step, 0, count, out);
+    if (p->dimensions == 3)
+        bl_gradient_row(&noise, start, step, 0, count, out);
+    else
+        bl_gradient_row_in(&noise, p->dimensions, start, step, count, out);
 }
 
 static void points(const void *block, const double *const at[BL_AXES], size_t count, float *out) {
+    const gradient_parameters *p = block;
     bl_gradient_noise noise = gradient_noise_of(block);
-    bl_gradient_points(&noise, at, count, out);
+    if (p->dimensions == 3)
+        bl_gradient_points(&noise, at, count, out);
+    else
+        bl_gradient_points_in(&noise, p->dimensions, at, count, out);
+}
+
+static double reference(const void *block, const double at[BL_AXES], double gradient[BL_AXES]) {
+    const gradient_parameters *p = block;
+    bl_gradient_noise noise = gradient_noise_of(block);
+    if (p->dimensions == 3)
+        return bl_gradient_reference(&noise, at, gradient);
+    return bl_gradient_reference_in(&noise, p->dimensions, at, gradient);
 }
 
 static double value(const void *block, const double at[BL_AXES]) {
-    bl_gradient_noise noise = gradient_noise_of(block);
-    return bl_gradient_reference(&noise, at, NULL);
+    return reference(block, at, NULL);
 }
 
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
-    bl_gradient_noise noise = gradient_noise_of(block);
-    bl_gradient_reference(&noise, at, out);
+    reference(block, at, out);
+}
+
+// E[g_a^2] of a component of the gradients.
+static double component_variance(const gradient_parameters *p) {
+    static const double edges[] = {0, 1, 1, 2.0 / 3, 3.0 / 4};
+    if (p->gradients == BL_GRADIENTS_EDGES)
+        return edges[p->dimensions];
+    if (p->gradients == BL_GRADIENTS_SPHERE && p->dimensions == 1)
+        return BL_VALUE_VARIANCE(BL_LATTICE_VALUES);
+    return 1.0 / p->dimensions;
 }
 
 static bl_terms terms_of(const void *block) {
     const gradient_parameters *p = block;
-    bl_terms terms = {0};
-    double square = p->gradients == BL_GRADIENTS_EDGES ? 2 : 1; // of a gradient's length
-    bl_terms_add_gradient(&terms, square / 3, bl_gradient_ramps[p->fade],
+    bl_terms terms = {.dimensions = p->dimensions};
+    bl_terms_add_gradient(&terms, component_variance(p), bl_gradient_ramps[p->fade],
                           bl_gradient_weights[p->fade]);
     return terms;
 }
@@ -82,11 +111,17 @@ static int has_closed_form(const void *block) {
     return bl_lattice_is_hash(&p->lattice);
 }
 
+static unsigned dimensions_of(const void *block) {
+    const gradient_parameters *p = block;
+    return p->dimensions;
+}
+
 static void describe(const void *block, bl_facts *facts) {
     const gradient_parameters *p = block;
     bl_terms terms = terms_of(block);
     bl_kernel weight = bl_gradient_weights[p->fade];
-    bl_bound bound = bl_bound_gradient(weight, p->gradients == BL_GRADIENTS_EDGES);
+    bl_bound bound =
+        bl_bound_gradient_in(weight, p->gradients == BL_GRADIENTS_EDGES, p->dimensions);
     bl_terms_describe(&terms, has_closed_form(block), facts);
     bl_lattice_describe(bound, bl_kernel_continuity(weight), &p->lattice, facts);
 }
@@ -128,6 +163,7 @@ static const bl_parameter parameters[] = {
      .fallback = "sphere",
      .unit = "",
      .help = "how gradients are drawn: uniform on the sphere, by rejection, or 12 edges"},
+    BL_DIMENSIONS_PARAMETER(gradient_parameters, 1, 4, "3"),
     {.key = NULL}};
 
 BL_NOISE_DESCRIPTOR(gradient_noise) = {
@@ -140,6 +176,7 @@ BL_NOISE_DESCRIPTOR(gradient_noise) = {
     .parameters = parameters,
     .parameters_size = sizeof(gradient_parameters),
     .seed_offset = offsetof(gradient_parameters, lattice.seed),
+    .dimensions_of = dimensions_of,
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

@@ -148,12 +148,18 @@ static inline uint32_t bl_lattice_exclusive(uint32_t add, uint32_t high) {
     return (add ^ add >> 15 ^ high) * BL_LATTICE_M2;
 }
 
-static inline bl_lattice_key bl_lattice_key_of(const bl_lattice *lattice, unsigned axis,
-                                               uint64_t cell) {
-    uint64_t biased = bl_lattice_wrap(lattice, axis, cell) + UINT64_C(0x80000000);
+// The key of a cell number that bl_lattice_wrap gave.
+static inline bl_lattice_key bl_lattice_wrapped_key(const bl_lattice *lattice, unsigned axis,
+                                                    uint64_t wrapped) {
+    uint64_t biased = wrapped + UINT64_C(0x80000000);
     uint32_t add = ((uint32_t)biased + lattice->offset[axis]) * BL_LATTICE_M1;
     uint32_t high = bl_lattice_high(lattice, axis, (uint32_t)(biased >> 32));
     return (bl_lattice_key){add, bl_lattice_exclusive(add, high)};
+}
+
+static inline bl_lattice_key bl_lattice_key_of(const bl_lattice *lattice, unsigned axis,
+                                               uint64_t cell) {
+    return bl_lattice_wrapped_key(lattice, axis, bl_lattice_wrap(lattice, axis, cell));
 }
 
 static inline uint32_t bl_perm256_index(uint64_t x, uint64_t y, uint64_t z) {

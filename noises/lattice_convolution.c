@@ -126,14 +126,16 @@ typedef struct lattice_group {
 
 static void prepare_axis(const cell_numbers *numbers, const double place[LANES], int axis,
                          lattice_group *group) {
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 4; i++) {
+        uint64_t cell[LANES];
 #pragma omp simd
         for (int l = 0; l < LANES; l++) {
             double lower = floor(place[l]);
-            uint64_t cell = (uint64_t)(int64_t)lower + (uint64_t)i - 1;
-            set_lane_key(numbers, axis, cell, &group->key[axis][i], l);
+            cell[l] = (uint64_t)(int64_t)lower + (uint64_t)i - 1;
             group->distance[axis][i][l] = (float)(place[l] - lower - (i - 1));
         }
+        set_lane_keys(numbers, axis, cell, &group->key[axis][i]);
+    }
 }
 
 static void sum_group(const cell_numbers *numbers, const lattice_group *group, float *sum) {
@@ -256,7 +258,8 @@ static void row(const void *block, const double start[BL_AXES], const double ste
     size_t from, to;
     find_inside(start, step, count, &from, &to);
     if (p->kernel == KERNEL_EXACT && from < to &&
-        axis_row_open(&along, start, step, from, to - from)) {
+        axis_row_open(&along, start, step, from, to - from) &&
+        tiles_repeat(&p->lattice, along.axis)) {
         cell_numbers numbers;
         cell_numbers_open(&numbers, &p->lattice);
         row_along_axis(&numbers, &along, to - from, out + from);

@@ -45,11 +45,13 @@ typedef struct bl_axis_block {
     uint32_t add[BL_KNOTS][BL_BLOCK], exclusive[BL_KNOTS][BL_BLOCK];
     uint32_t cell[BL_BLOCK]; // the cell number's low half plus BL_NEAR_BIAS
     float fraction[BL_BLOCK];
+    uint32_t plane[BL_KNOTS][BL_BLOCK]; // lattice=perm256: low halves of the planes' numbers
 } bl_axis_block;
 
 typedef struct bl_point_block {
-    bl_axis_block axis[3];
-    size_t lanes; // the points, rounded up to a multiple of BL_LANES with copies of the last
+    bl_axis_block axis[BL_AXES];
+    unsigned dimensions; // the axes that are loaded
+    size_t lanes;        // the points, rounded up to a multiple of BL_LANES with copies of the last
     int any_outside;
     unsigned char outside[BL_BLOCK];
     const bl_lattice *lattice;
@@ -116,6 +118,53 @@ static inline void bl_keys_near(const bl_point_block *block, unsigned axis, bl_a
     }
 }
 
+// The same for near cells of a periodic lattice, one axis of them. Of whole numbers c and p with
+// |c| < 2^28 and p < 2^32 the quotient is 1/p or more below the next whole number, and 2^-53 of it
+// is less: the floor of the rounded quotient is that of the quotient, and all below is exact.
+static inline void bl_keys_near_periodic(const bl_point_block *block, unsigned axis,
+                                         bl_axis_block *keys) {
+    const uint32_t period = block->lattice->period[axis], offset = block->lattice->offset[axis];
+    const uint32_t low = bl_lattice_high(block->lattice, axis, 0),
+                   high = bl_lattice_high(block->lattice, axis, 1);
+    const uint32_t bias = BL_NEAR_BIAS - (uint32_t)block->first;
+    const double length = period;
+    const size_t lanes = block->lanes;
+    bl_halves shifted;
+    uint32_t wrapped[BL_BLOCK];
+#pragma omp simd
+    for (size_t i = 0; i < lanes; i++) {
+        double cell = (double)(int32_t)(keys->cell[i] - bias);
+        // In [0, 2^32): the low half of the sum with 2^52 is the number.
+        shifted.number[i] = (cell - floor(cell / length) * length) + 0x1p52;
+    }
+    for (size_t i = 0; i < lanes; i++)
+        wrapped[i] = shifted.half[2 * i];
+    for (int knot = 0; knot < block->knots; knot++) {
+        uint32_t *restrict add = keys->add[knot], *restrict exclusive = keys->exclusive[knot];
+        uint32_t *restrict plane = keys->plane[knot];
+#pragma omp simd
+        for (size_t i = 0; i < lanes; i++) {
+            uint32_t here = wrapped[i], half = (here + 0x80000000u + offset) * BL_LATTICE_M1;
+            plane[i] = here;
+            add[i] = half;
+            exclusive[i] = bl_lattice_exclusive(half, here >> 31 ? high : low);
+            wrapped[i] = here + 1 == period ? 0 : here + 1;
+        }
+    }
+}
+
+// The planes of near cells for lattice=perm256, which needs nothing else of a cell.
+static inline void bl_planes_near(const bl_point_block *block, bl_axis_block *keys) {
+    const uint32_t *restrict cell = keys->cell;
+    for (int knot = 0; knot < block->knots; knot++) {
+        const uint32_t offset = (uint32_t)(block->first + knot) - BL_NEAR_BIAS;
+        uint32_t *restrict plane = keys->plane[knot];
+#pragma omp simd
+        for (size_t i = 0; i < block->lanes; i++)
+            plane[i] = cell[i] + offset;
+    }
+}
+
 // The same for any coordinate, one by one; points outside of the domain are marked.
 static inline void bl_keys_far(bl_point_block *block, unsigned axis, const double *x) {
     bl_axis_block *keys = &block->axis[axis];
@@ -137,6 +186,7 @@ static inline void bl_keys_far(bl_point_block *block, unsigned axis, const doubl
             bl_lattice_key key = bl_lattice_key_of(block->lattice, axis, plane);
             keys->add[knot][i] = key.add;
             keys->exclusive[knot][i] = key.exclusive;
+            keys->plane[knot][i] = (uint32_t)bl_lattice_wrap(block->lattice, axis, plane);
         }
     }
     block->any_outside = 1;
@@ -147,6 +197,7 @@ static inline void bl_point_block_begin(bl_point_block *block, const bl_lattice 
     block->lattice = lattice;
     block->first = first;
     block->knots = knots;
+    block->dimensions = 3;
     if (lattice->kind == BL_LATTICE_PERM256)
         for (unsigned component = 0; component < BL_COMPONENTS; component++)
             bl_perm256_words(lattice, component, block->words256[component]);
@@ -158,7 +209,7 @@ static inline void bl_point_block_load(bl_point_block *block, const double *cons
     double padded[BL_BLOCK];
     block->lanes = (count + BL_LANES - 1) / BL_LANES * BL_LANES;
     block->any_outside = 0;
-    for (unsigned axis = 0; axis < 3; axis++) {
+    for (unsigned axis = 0; axis < block->dimensions; axis++) {
         const double *x = at[axis] + from;
         if (count < block->lanes) {
             for (size_t i = 0; i < block->lanes; i++)
@@ -167,7 +218,12 @@ static inline void bl_point_block_load(bl_point_block *block, const double *cons
         }
         bl_axis_block *keys = &block->axis[axis];
         if (bl_split_near(x, block->lanes, keys->cell, keys->fraction) == 0) {
-            bl_keys_near(block, axis, keys);
+            if (block->lattice->period[axis])
+                bl_keys_near_periodic(block, axis, keys);
+            else if (block->lattice->kind == BL_LATTICE_HASH)
+                bl_keys_near(block, axis, keys);
+            else
+                bl_planes_near(block, keys);
             continue;
         }
         if (!block->any_outside)
@@ -193,12 +249,10 @@ static inline void bl_point_block_words(const bl_point_block *block, const int k
             words[i] = (ax[i] + ay[i] + az[i] + add) * (ex[i] ^ ey[i] ^ ez[i] ^ exclusive);
         return;
     }
-    // The bias of the cell numbers is a multiple of 256.
-    const uint32_t dx = (uint32_t)(block->first + knot[0]), dy = (uint32_t)(block->first + knot[1]),
-                   dz = (uint32_t)(block->first + knot[2]);
+    const uint32_t *restrict px = x->plane[knot[0]], *restrict py = y->plane[knot[1]],
+                             *restrict pz = z->plane[knot[2]];
     for (size_t i = 0; i < block->lanes; i++)
-        words[i] = block->words256[component][bl_perm256_index(x->cell[i] + dx, y->cell[i] + dy,
-                                                               z->cell[i] + dz)];
+        words[i] = block->words256[component][bl_perm256_index(px[i], py[i], pz[i])];
 }
 
 // Writes the values of a block times `scale`, and NaN outside of the domain.
@@ -320,9 +374,32 @@ static inline int bl_row_block_load(bl_row_block *block, double start, double st
 
 enum { BL_PLANES = BL_CELLS + BL_KNOTS + BL_LANES };
 
+// The number of a plane of a periodic lattice after a given one.
+static inline uint64_t bl_lattice_next(uint32_t period, uint64_t wrapped) {
+    return wrapped + 1 == period ? 0 : wrapped + 1;
+}
+
+// The keys of the lattice planes of a row's block in a periodic lattice.
+static inline void bl_row_keys_periodic(const bl_row_block *block, const bl_lattice *lattice,
+                                        unsigned axis, int first, uint32_t *restrict add,
+                                        uint32_t *restrict exclusive) {
+    const uint32_t period = lattice->period[axis];
+    uint64_t plane = bl_lattice_wrap(lattice, axis, block->cell + (uint64_t)(int64_t)first);
+    const uint32_t low = bl_lattice_high(lattice, axis, 0),
+                   high = bl_lattice_high(lattice, axis, 1);
+    for (size_t m = 0; m < block->lanes; m++, plane = bl_lattice_next(period, plane)) {
+        add[m] = ((uint32_t)plane + 0x80000000u + lattice->offset[axis]) * BL_LATTICE_M1;
+        exclusive[m] = bl_lattice_exclusive(add[m], plane >> 31 ? high : low);
+    }
+}
+
 // The keys of the lattice planes of a row's block, from plane `first` of its first cell on.
 static inline void bl_row_keys(const bl_row_block *block, const bl_lattice *lattice, unsigned axis,
                                int first, uint32_t *restrict add, uint32_t *restrict exclusive) {
+    if (lattice->period[axis]) {
+        bl_row_keys_periodic(block, lattice, axis, first, add, exclusive);
+        return;
+    }
     const uint64_t biased = block->cell + (uint64_t)(int64_t)first + UINT64_C(0x80000000);
     const uint32_t low = (uint32_t)biased, high = (uint32_t)(biased >> 32);
     const uint32_t offset = lattice->offset[axis], lanes = (uint32_t)block->lanes;
@@ -346,6 +423,7 @@ static inline void bl_row_nan(const bl_row_block *block, float *out) {
 
 // What the two other axes of a row say: their cells, fractions and keys.
 typedef struct bl_row_cross {
+    const bl_lattice *lattice;
     unsigned axis, across[2]; // the row's axis and the two others
     uint64_t cell[2];
     double fraction[2];
@@ -357,6 +435,7 @@ typedef struct bl_row_cross {
 static inline int bl_row_cross_load(bl_row_cross *cross, const bl_lattice *lattice, unsigned axis,
                                     const double start[BL_AXES], int first, int knots,
                                     double shift) {
+    cross->lattice = lattice;
     cross->axis = axis;
     for (unsigned b = 0; b < 2; b++) {
         unsigned other = (axis + 1 + b) % 3;
@@ -379,11 +458,17 @@ static inline int bl_row_cross_load(bl_row_cross *cross, const bl_lattice *latti
 static inline void bl_row_words256(const bl_row_block *block, const bl_row_cross *cross,
                                    const uint32_t words256[256], int first, int j, int k,
                                    uint32_t *restrict words) {
+    const bl_lattice *lattice = cross->lattice;
+    const int knot[2] = {j, k};
     uint64_t cell[3];
-    cell[cross->across[0]] = cross->cell[0] + (uint64_t)(int64_t)(first + j);
-    cell[cross->across[1]] = cross->cell[1] + (uint64_t)(int64_t)(first + k);
-    for (size_t m = 0; m < block->lanes; m++) {
-        cell[cross->axis] = block->cell + (uint64_t)(int64_t)first + m;
+    for (int b = 0; b < 2; b++)
+        cell[cross->across[b]] = bl_lattice_wrap(
+            lattice, cross->across[b], cross->cell[b] + (uint64_t)(int64_t)(first + knot[b]));
+    uint64_t plane = bl_lattice_wrap(lattice, cross->axis, block->cell + (uint64_t)(int64_t)first);
+    // Without a period no plane is followed by plane 0, but -1, which has it anyway.
+    const uint32_t period = lattice->period[cross->axis];
+    for (size_t m = 0; m < block->lanes; m++, plane = bl_lattice_next(period, plane)) {
+        cell[cross->axis] = plane;
         words[m] = words256[bl_perm256_index(cell[0], cell[1], cell[2])];
     }
 }

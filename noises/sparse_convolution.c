@@ -151,7 +151,8 @@ static void row(const void *block, const double start[BL_AXES], const double ste
     size_t from, to;
     find_inside(start, step, count, &from, &to);
     if (p->kernel == KERNEL_EXACT && from < to &&
-        axis_row_open(&along, start, step, from, to - from)) {
+        axis_row_open(&along, start, step, from, to - from) &&
+        tiles_repeat(&p->lattice, along.axis)) {
         sparse_source source;
         sparse_source_open(&source, &p->lattice, p->impulses);
         sparse_row(&source, &along, to - from, out + from);

@@ -97,13 +97,14 @@ static void prepare_axis(const cell_numbers *numbers, const point_block *block,
         most = within > most ? within : most;
     }
     for (int i = 0; i < 5; i++) {
-        uint64_t offset = (uint64_t)i - 2;
+        uint64_t offset = (uint64_t)i - 2, visited[LANES];
 #pragma omp simd
         for (int l = 0; l < LANES; l++) {
-            set_lane_key(numbers, axis, cell[l] + forward[l] * offset, &group->key[axis][i], l);
+            visited[l] = cell[l] + forward[l] * offset;
             group->corner[axis][i][l] =
                 (float)((fraction[l] - sign[l] * (i - 2) - 0.5) * IMPULSE_UNITS);
         }
+        set_lane_keys(numbers, axis, visited, &group->key[axis][i]);
         double gap = i > 2 ? i - 2 - most : i < 2 ? least - (i - 1) : 0;
         gap = gap > 1e-5 ? gap - 1e-5 : 0; // more than the rounding of a distance
         group->nearest_square[axis][i] = (float)(gap * gap);

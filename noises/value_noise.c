@@ -4,8 +4,13 @@
 //
 //   n(x,y,z) = sum over cells c of v_c k(x - c_x) k(y - c_y) k(z - c_z)
 //
+// and the same product over one, two or four axes with dims=1, 2, 4: the fourth may be time.
+//
 // Parameters
 //   seed     64 bits, chooses the lattice numbers
+//   dims     1 to 4, default 3. With a kernel that interpolates, 1 and 2 are the line y = z = 0 and
+//            the slice z = 0 of the noise in space, for the cost of 4 and 16 lattice points; 4 is
+//            another noise, of 256. dims=4,interp=bspline2 is the text's note 13.
 //   interp   the kernel k:
 //              catmull-rom  the text's spline, C1, support 2: 64 lattice points a sample
 //              linear       1 - |x|, C0, support 1: 8 points; the boxy one the text warns of
@@ -13,9 +18,12 @@
 //              bspline2     quadratic B-spline, C1, support 3/2, knots at the half integers
 //              bspline3     cubic B-spline, C2, support 2; the B-splines do not interpolate
 //   lattice  hash, or the text's perm256, which repeats after 256 cells (noises/lattice.h)
+//   component, period   noises/common_parameters.h; with a period no variance is stated, and
+//            periods of 1 and 2 may be smoother than the class (a period of 1 is a constant)
 //
 // Units: coordinates in cells. Values v_c are uniform in (-1, 1). Bound: the largest sum of |k|
-// over the lattice, cubed (noises/bounds.c). Band, mean, variance: exact, noises/closed_forms.h.
+// over the lattice, to the power of the dimensions (noises/bounds.c). Band, mean, variance: exact,
+// noises/closed_forms.h.
 //
 // Known defects: the spectrum is not isotropic, and energy below and around 0 cycles per cell is
 // not removed. The text calls Catmull-Rom's second derivative continuous; it jumps.
@@ -25,11 +33,11 @@
 
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
-#include "noises/value_kernel.h"
+#include "noises/value_dimensions.h"
 
 typedef struct value_parameters {
     bl_lattice_settings lattice;
-    uint32_t interp;
+    uint32_t interp, dimensions;
 } value_parameters;
 
 static bl_value_noise value_noise_of(const void *block) {
@@ -39,28 +47,42 @@ static bl_value_noise value_noise_of(const void *block) {
 
 static void row(const void *block, const double start[BL_AXES], const double step[BL_AXES],
                 size_t count, float *out) {
+    const value_parameters *p = block;
     bl_value_noise noise = value_noise_of(block);
-    bl_value_row(&noise, start, step, 0, count, out);
+    if (p->dimensions == 3)
+        bl_value_row(&noise, start, step, 0, count, out);
+    else
+        bl_value_row_in(&noise, p->dimensions, start, step, count, out);
 }
 
 static void points(const void *block, const double *const at[BL_AXES], size_t count, float *out) {
+    const value_parameters *p = block;
     bl_value_noise noise = value_noise_of(block);
-    bl_value_points(&noise, at, count, out);
+    if (p->dimensions == 3)
+        bl_value_points(&noise, at, count, out);
+    else
+        bl_value_points_in(&noise, p->dimensions, at, count, out);
+}
+
+static double reference(const void *block, const double at[BL_AXES], double gradient[BL_AXES]) {
+    const value_parameters *p = block;
+    bl_value_noise noise = value_noise_of(block);
+    if (p->dimensions == 3)
+        return bl_value_reference(&noise, at, gradient);
+    return bl_value_reference_in(&noise, p->dimensions, at, gradient);
 }
 
 static double value(const void *block, const double at[BL_AXES]) {
-    bl_value_noise noise = value_noise_of(block);
-    return bl_value_reference(&noise, at, NULL);
+    return reference(block, at, NULL);
 }
 
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
-    bl_value_noise noise = value_noise_of(block);
-    bl_value_reference(&noise, at, out);
+    reference(block, at, out);
 }
 
 static bl_terms terms_of(const void *block) {
     const value_parameters *p = block;
-    bl_terms terms = {0};
+    bl_terms terms = {.dimensions = p->dimensions};
     bl_terms_add_value(&terms, BL_VALUE_VARIANCE(BL_LATTICE_VALUES), bl_value_kernels[p->interp]);
     return terms;
 }
@@ -80,11 +102,16 @@ static int has_closed_form(const void *block) {
     return bl_lattice_is_hash(&p->lattice);
 }
 
+static unsigned dimensions_of(const void *block) {
+    const value_parameters *p = block;
+    return p->dimensions;
+}
+
 static void describe(const void *block, bl_facts *facts) {
     const value_parameters *p = block;
     bl_terms terms = terms_of(block);
     bl_kernel kernel = bl_value_kernels[p->interp];
-    bl_bound bound = bl_bound_value(kernel);
+    bl_bound bound = bl_bound_value_in(kernel, p->dimensions);
     bl_terms_describe(&terms, has_closed_form(block), facts);
     bl_lattice_describe(bound, bl_kernel_continuity(kernel), &p->lattice, facts);
 }
@@ -131,6 +158,7 @@ static const bl_parameter parameters[] = {
      .fallback = "catmull-rom",
      .unit = "",
      .help = "the kernel between the lattice points"},
+    BL_DIMENSIONS_PARAMETER(value_parameters, 1, 4, "3"),
     {.key = NULL}};
 
 BL_NOISE_DESCRIPTOR(value_noise) = {
@@ -143,6 +171,7 @@ BL_NOISE_DESCRIPTOR(value_noise) = {
     .parameters = parameters,
     .parameters_size = sizeof(value_parameters),
     .seed_offset = offsetof(value_parameters, lattice.seed),
+    .dimensions_of = dimensions_of,
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

@@ -203,6 +203,12 @@ bl_status bl_sampler_open(const bl_signal *signal, const bl_psd_settings *settin
         sampler->on_grid |= signal->extent.size[a] != 0;
     if (sampler->on_grid)
         return open_on_grid(sampler, message);
+    if (!bl_theory_reaches(signal, settings->dims, sampler->directions))
+        return bl_report(message, BL_MISMATCH,
+                         "'%s' has %u dimension%s, and does not change along the others; %s",
+                         signal->text, signal->dimensions, signal->dimensions == 1 ? "" : "s",
+                         settings->dims == 1 ? "choose an axis within them"
+                                             : "choose z, the axis normal to x and y");
     bl_psd_settings *resolved = &sampler->settings;
     if (resolved->rate == 0)
         resolved->rate = default_rate[resolved->dims];

@@ -18,6 +18,20 @@
 
 #include "spectra/integrate.h"
 
+static int reaches(const bl_signal *signal, const double direction[BL_AXES]) {
+    for (unsigned a = signal->dimensions; a > 0 && a < BL_AXES; a++) // 0: dimensions not known
+        if (direction[a] != 0)
+            return 0;
+    return 1;
+}
+
+int bl_theory_reaches(const bl_signal *signal, unsigned dims, const double directions[3][BL_AXES]) {
+    int all = 1;
+    for (unsigned d = 0; d < dims; d++)
+        all &= reaches(signal, directions[d]);
+    return all;
+}
+
 static double covariance(const bl_signal *signal, const double lag[BL_AXES]) {
     return signal->functions->covariance(signal->parameters, lag);
 }
@@ -85,7 +99,7 @@ static double line_integrand(const void *context, double t) {
 }
 
 double bl_theory_line(const bl_signal *signal, const double direction[BL_AXES], double f) {
-    if (!bl_signal_has_closed_form(signal) || !isfinite(f))
+    if (!bl_signal_has_closed_form(signal) || !isfinite(f) || !reaches(signal, direction))
         return NAN;
     plane_integral line = {.signal = signal, .u = direction, .fu = f};
     bl_breaks breaks = {0};
@@ -122,7 +136,8 @@ static double outer_integrand(const void *context, double s) {
 
 double bl_theory_slice(const bl_signal *signal, const double u[BL_AXES], const double v[BL_AXES],
                        double fu, double fv) {
-    if (!bl_signal_has_closed_form(signal) || !isfinite(fu) || !isfinite(fv))
+    if (!bl_signal_has_closed_form(signal) || !isfinite(fu) || !isfinite(fv) ||
+        !reaches(signal, u) || !reaches(signal, v))
         return NAN;
     plane_integral plane = {.signal = signal, .u = u, .v = v, .fu = fu, .fv = fv};
     double reach = signal->facts.covariance_reach, far = 0;
@@ -137,8 +152,26 @@ double bl_theory_slice(const bl_signal *signal, const double u[BL_AXES], const d
     return fmax(0, 2 * half);
 }
 
+// The integral over the fourth frequency. With steps of 1/reach the sum over the multiples is the
+// integral, because it is that of the covariance at w = 0 and at the multiples of the reach
+// (Poisson summation), where there is none. The density falls at least as f^-4 along an axis: what
+// lies beyond the last step is below 1e-9 of the variance.
+static double volume_of_four(const bl_signal *signal, const double f[BL_AXES]) {
+    enum { STEPS = 2048 };
+    double step = 1 / signal->facts.covariance_reach, sum = 0;
+    for (int n = STEPS; n >= 0; n--) {
+        const double at[BL_AXES] = {f[0], f[1], f[2], n * step};
+        sum += (n ? 2 : 1) * step * signal->functions->density(signal->parameters, at);
+    }
+    return sum;
+}
+
 double bl_theory_volume(const bl_signal *signal, const double f[BL_AXES]) {
     if (!bl_signal_has_closed_form(signal) || !signal->functions->density)
+        return NAN;
+    if (signal->dimensions == 4)
+        return volume_of_four(signal, f);
+    if (signal->dimensions == 1 || signal->dimensions == 2)
         return NAN;
     return signal->functions->density(signal->parameters, f);
 }

@@ -20,8 +20,13 @@ bl_status bl_theory_periodogram(const bl_signal *signal, unsigned dims,
                                 const double directions[3][BL_AXES], double rate, size_t size,
                                 bl_window window, double *out, bl_message *message);
 
+// Directions lie in the dimensions of the signal: those that leave them give NaN, or BL_MISMATCH.
+
 // The bare closed form, two-sided: along a line in a unit direction at frequency f; in the slice
-// spanned by two orthonormal directions at (fu, fv); in the volume. NaN without a closed form.
+// spanned by two orthonormal directions at (fu, fv); in the volume of x, y and z, which of a signal
+// of four dimensions is one of its volumes w = const: its density with the fourth frequency
+// integrated out, to 1e-9 of the variance. NaN without a closed form, and the volume of a signal of
+// one or two dimensions.
 double bl_theory_line(const bl_signal *signal, const double direction[BL_AXES], double f);
 double bl_theory_slice(const bl_signal *signal, const double u[BL_AXES], const double v[BL_AXES],
                        double fu, double fv);
@@ -31,6 +36,9 @@ double bl_theory_volume(const bl_signal *signal, const double f[BL_AXES]);
 // rounding of the quadrature; `to` may be INFINITY. NaN without a closed form.
 double bl_theory_band(const bl_signal *signal, unsigned dims, const double directions[3][BL_AXES],
                       double from, double to);
+
+// Whether the first `dims` directions lie in the dimensions of the signal.
+int bl_theory_reaches(const bl_signal *signal, unsigned dims, const double directions[3][BL_AXES]);
 
 // Orthonormal directions from one axis: dims 1 the axis itself; dims 2 two directions normal to
 // it (x and y for z); dims 3 x, y, z. False for a zero or non-finite axis.

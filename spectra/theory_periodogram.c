@@ -209,6 +209,9 @@ bl_status bl_theory_periodogram(const bl_signal *signal, unsigned dims,
                          "%s: no closed form of its spectrum for these settings; measure without "
                          "the theory",
                          signal->text);
+    if (!bl_theory_reaches(signal, dims, directions))
+        return bl_report(message, BL_MISMATCH, "%s has %u dimension%s, and a direction leaves them",
+                         signal->text, signal->dimensions, signal->dimensions == 1 ? "" : "s");
     // The axes not used have direction 0, one lag and weight 1.
     double used[3][BL_AXES] = {{0}};
     for (unsigned d = 0; d < dims; d++)
