@@ -93,19 +93,27 @@ static double reach(const bl_terms *terms) {
 }
 
 // The share below b is int R(t) sin(2 pi b t)/(pi t) dt over all lags t along the axis, divided by
-// R(0). R is a polynomial (over t) between whole lags; panels of one cycle at most.
-double bl_terms_share_above(const bl_terms *terms, double frequency) {
-    double below = 0, cell = reach(terms);
-    int panels = (int)ceil(fmax(fabs(frequency), 2)); // in a unit
-    double half = 0.5 / panels;
-    for (int panel = 0; panel < panels * (int)cell; panel++)
+// R(0). R is a polynomial (over t) between whole lags, or smooth; panels of one cycle at most.
+double bl_covariance_share_above(bl_covariance *covariance, const void *parameters, double reach,
+                                 double frequency) {
+    double below = 0, panels = ceil(reach * ceil(fmax(fabs(frequency), 2)));
+    double half = 0.5 * reach / panels;
+    for (double panel = 0; panel < panels; panel++)
         for (int n = 0; n < BL_QUADRATURE_NODES; n++) {
             double t = half * (2 * panel + 1 + bl_quadrature_node[n]);
-            double covariance = bl_terms_covariance(terms, (const double[BL_AXES]){t});
-            below += half * bl_quadrature_weight[n] * covariance * sin(2 * M_PI * frequency * t) /
-                     (M_PI * t);
+            below += half * bl_quadrature_weight[n] *
+                     covariance(parameters, (const double[BL_AXES]){t}) *
+                     sin(2 * M_PI * frequency * t) / (M_PI * t);
         }
-    return 1 - 2 * below / bl_terms_variance(terms);
+    return 1 - 2 * below / covariance(parameters, (const double[BL_AXES]){0});
+}
+
+static double covariance_of_terms(const void *terms, const double lag[BL_AXES]) {
+    return bl_terms_covariance(terms, lag);
+}
+
+double bl_terms_share_above(const bl_terms *terms, double frequency) {
+    return bl_covariance_share_above(covariance_of_terms, terms, reach(terms), frequency);
 }
 
 void bl_terms_describe(const bl_terms *terms, int holds, bl_facts *facts) {

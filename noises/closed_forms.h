@@ -59,6 +59,10 @@ double bl_terms_variance(const bl_terms *terms);
 
 // The share of the variance above a frequency, of the spectrum along the x axis at random places.
 double bl_terms_share_above(const bl_terms *terms, double frequency);
+// The same for any covariance that is smooth between whole lags and 0 from `reach` on.
+typedef double bl_covariance(const void *parameters, const double lag[BL_AXES]);
+double bl_covariance_share_above(bl_covariance *covariance, const void *parameters, double reach,
+                                 double frequency);
 
 // Fills mean 0 and, if the closed form holds for the settings, the variance, the covariance's
 // reach, and the claim that along an axis all but leak_db of the variance lies in [0, 1]: the exact

@@ -29,13 +29,16 @@ static const char *const bl_period_examples[] = {"4,8,16", "3", "5,0,300,7", NUL
     }
 
 // bl_lattice_settings lattice: seed, lattice, component and period, four entries of a list.
-#define BL_LATTICE_PARAMETERS(block, what)                                                         \
+#define BL_LATTICE_PARAMETERS(block, what) BL_LATTICE_PARAMETERS_WITH(block, what, "hash")
+
+// The same with another default lattice.
+#define BL_LATTICE_PARAMETERS_WITH(block, what, usual)                                             \
     BL_SEED_PARAMETER(block, lattice.seed, what),                                                  \
         {.key = "lattice",                                                                         \
          .kind = BL_CHOICE,                                                                        \
          .offset = offsetof(block, lattice.kind),                                                  \
          .choices = bl_lattice_choices,                                                            \
-         .fallback = "hash",                                                                       \
+         .fallback = usual,                                                                        \
          .unit = "",                                                                               \
          .help = "hash of the 64-bit cell, or the text's permutation of 256"},                     \
         {.key = "component",                                                                       \

@@ -75,6 +75,8 @@ static inline void bl_fade_floats(bl_fade fade, const float *restrict fraction, 
 static inline bl_vector bl_any_gradient(bl_gradients gradients, uint32_t word) {
     if (gradients == BL_GRADIENTS_EDGES)
         return bl_edge_gradient(word);
+    if (gradients == BL_GRADIENTS_EDGES16)
+        return bl_edge16_gradient(word);
     if (gradients == BL_GRADIENTS_REJECTION)
         return bl_rejection_gradient(word);
     const float scale = (float)(BL_SPHERE_SCALE * BL_LATTICE_UNIT);

@@ -87,13 +87,29 @@ static void sample_line(const bl_signal *signal, bl_random *random, unsigned axi
     }
 }
 
+// Whether there is a jump on one of several fine lines of a unit each: the faces of cells, which
+// are few. Where noises have many, the first short line meets one.
+static int jumps_somewhere(const bl_signal *signal, unsigned axis, bl_random *random) {
+    enum { UNIT = 1 << 17, LINES = 8 };
+    static double line[UNIT + 1];
+    for (int attempt = 0; attempt < LINES; attempt++) {
+        sample_line(signal, random, axis, 1.0 / UNIT, UNIT + 1, line);
+        if (jumps(line, UNIT + 1, 0))
+            return 1;
+    }
+    return 0;
+}
+
 // The long line is two cells and crosses faces and knots; the short one is finer than the steps of
 // a table, which a long one cannot tell from a slope.
 static void check_continuity(const bl_signal *signal, unsigned axis, bl_random *random) {
     static double fine[SHORT + 1], line[LONG + 1];
     int stated = signal->facts.continuity;
     sample_line(signal, random, axis, 0x1p-17, SHORT + 1, fine);
-    if (jumps(fine, SHORT + 1, 0) != (stated < 0))
+    int jumped = jumps(fine, SHORT + 1, 0);
+    if (stated < 0 && !jumped)
+        jumped = jumps_somewhere(signal, axis, random);
+    if (jumped != (stated < 0))
         fail_msg("%s: states class %d, and %s", signal->text, stated,
                  stated < 0 ? "does not jump" : "jumps");
     if (stated < 0)
@@ -218,8 +234,9 @@ static void check_period(const bl_signal *signal, unsigned axis) {
         if (!all_differ(&here, &there))
             fail_msg("%s: repeats within its period along %c", signal->text, "xyzw"[axis]);
     }
+    double unit = fmax(1, signal->facts.cell); // a probe must not stay in a flat cell
     for (int power = 1; power <= 40 && period == 0; power++) {
-        there = take_probe(signal, axis, ldexp(1, power));
+        there = take_probe(signal, axis, ldexp(unit, power));
         if (!all_differ(&here, &there))
             fail_msg("%s: repeats after 2^%d along %c", signal->text, power, "xyzw"[axis]);
     }
@@ -284,6 +301,9 @@ static void test_the_fraction_ends_where_it_is_stated_to(void **state) {
             for (int s = 0; s < 5; s++) {
                 int numbers[3];
                 double lower = floor(scales[s] * signal->facts.far);
+                count_numbers(signal, axis, 0, numbers);
+                if (numbers[0] < 3 && fabs(scales[s]) < 1)
+                    continue; // flat in its cells: nothing to lose
                 count_numbers(signal, axis, lower, numbers);
                 for (int way = 0; way < 3; way++)
                     if (fabs(scales[s]) < 1 ? numbers[way] < 3 : numbers[way] != 1)

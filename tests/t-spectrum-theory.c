@@ -182,7 +182,7 @@ static void check_spectrum(const bl_signal *signal, const bl_psd_settings *setti
 
 static void check_noise(const char *text) {
     bl_signal *signal = open_noise(text);
-    if (bl_signal_has_closed_form(signal) && signal->dimensions == 3) {
+    if (bl_signal_has_closed_form(signal) && signal->dimensions >= 2) {
         size_t lines = bl_test_scaled(600, 100);
         const double *axes[3] = {along_x, along_y, oblique};
         const char *views[3] = {"line along x", "line along y", "line along (1,1,1)"};
@@ -198,6 +198,8 @@ static void check_noise(const char *text) {
         slice.threads = 1;
         memcpy(slice.axis, along_z, sizeof along_z);
         check_spectrum(signal, &slice, "slice z = const");
+    }
+    if (bl_signal_has_closed_form(signal) && signal->dimensions >= 3) {
         bl_psd_settings volume = bl_psd_default_settings(3);
         volume.rate = 3;
         volume.size = 16;
@@ -229,9 +231,15 @@ static void test_every_noise_has_the_spectrum_it_states(void **state) {
 // Settings that meet: both fades and gradients, weights of either sign, few and many impulses.
 static void test_settings_together_have_the_spectrum_they_state(void **state) {
     (void)state;
-    static const char *const texts[] = {
-        "gnoise:fade=quintic,gradients=edges", "vgnoise:value=0.3,gradient=-1.5,interp=bspline3",
-        "vgnoise:value=0,gradient=1,fade=linear", "scnoise:impulses=1", "scnoise:impulses=10"};
+    static const char *const texts[] = {"gnoise:fade=quintic,gradients=edges",
+                                        "vgnoise:value=0.3,gradient=-1.5,interp=bspline3",
+                                        "vgnoise:value=0,gradient=1,fade=linear",
+                                        "scnoise:impulses=1",
+                                        "scnoise:impulses=10",
+                                        "simplex:dims=2",
+                                        "simplex:dims=4",
+                                        "white:cell=1",
+                                        "white:cell=2/5,dims=4"};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         check_noise(texts[i]);
 }
