@@ -119,7 +119,8 @@ static void test_the_class_of_continuity_is_the_one_stated(void **state) {
             stream = 31 * stream + (unsigned char)*c;
         bl_random random = bl_random_seed(1, stream);
         for (unsigned axis = 0; axis < 4; axis++)
-            check_continuity(signal, axis, &random);
+            if (axis < signal->dimensions || axis == 3)
+                check_continuity(signal, axis, &random);
         bl_signal_free(signal);
     }
 }
