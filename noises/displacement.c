@@ -103,7 +103,7 @@ static void refine_all(walk *at, size_t spacing, size_t ratio) {
 
 static void walk_additions(walk *at, double hurst, size_t ratio) {
     size_t most = at->height > 1 && at->height < at->width ? at->height : at->width, spacing = 1;
-    while (spacing * ratio <= most)
+    while (spacing * ratio < most) // a lattice of one point would be a constant
         spacing *= ratio;
     for (size_t largest = spacing;; spacing /= ratio) {
         double deviation = pow((double)spacing / (double)largest, hurst);

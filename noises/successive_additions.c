@@ -16,7 +16,7 @@
 //   lacunarity  2, 4 or 8: the ratio of the spacings of two levels
 //   size        numbers in the tile, a power of two from 8 on, one or one an axis; 0: 256 in one
 //               dimension, 64 in two. The coarsest spacing is the largest power of lacunarity that
-//               is not above the least size
+//               is below the least size
 //   samples     numbers a unit, 2 to 16, a power of two
 //   interp      how the tile is read: bspline, catmull-rom, linear, nearest; all pass through the
 //               numbers (noises/tile.h)

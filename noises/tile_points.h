@@ -222,7 +222,7 @@ static void bl_tile_noise_gradient(const void *block, const double at[BL_AXES],
     bl_tile_value(block, at, out);
 }
 
-static void bl_tile_noise_release(void *block) {
+static inline void bl_tile_noise_release(void *block) {
     bl_tile_release(block);
 }
 
