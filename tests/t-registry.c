@@ -259,9 +259,11 @@ static void test_the_gradient_is_the_derivative(void **state) {
         int trials = signal->functions->gradient && signal->facts.continuity >= 0 ? 40 : 0;
         for (int trial = 0; trial < trials; trial++) {
             double at[BL_AXES], gradient[BL_AXES] = {0};
+            double cell = signal->facts.cell > 0 ? signal->facts.cell : 1;
             // Away from cell boundaries, where a C0 noise has no derivative.
             for (int a = 0; a < BL_AXES; a++)
-                at[a] = floor(20 * bl_random_unit(&random)) + 0.02 + 0.96 * bl_random_unit(&random);
+                at[a] = cell * (floor(20 * bl_random_unit(&random) / cell) + 0.02 +
+                                0.96 * bl_random_unit(&random));
             signal->functions->gradient(signal->parameters, at, gradient);
             for (unsigned a = 0; a < signal->dimensions; a++) {
                 double h = 1e-5, up[BL_AXES], down[BL_AXES];
@@ -288,7 +290,8 @@ static void test_a_reseeded_signal_is_another_and_the_same_as_opened(void **stat
         char text[64];
         const char *name = bl_noise_at(i, BL_ISA_BEST)->name;
         snprintf(text, sizeof text, "%s:seed=77", name);
-        bl_signal *zero = bl_test_open(name, BL_ISA_BEST), *opened = bl_test_open(text, BL_ISA_BEST);
+        bl_signal *zero = bl_test_open(name, BL_ISA_BEST),
+                  *opened = bl_test_open(text, BL_ISA_BEST);
         bl_signal *reseeded = bl_signal_reseed(zero, 77);
         float a[64], b[64], c[64];
         bl_signal_row(zero, start, step, 64, a);

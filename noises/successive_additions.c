@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+//
+// additions: fractional Brownian motion by successive random additions, as a tile.
+//
+//   all points of a periodic grid s numbers apart get s^H z, z standard normal; the grid is refined
+//   linearly (along x, then along y) to one s/lacunarity apart; and so on to s = 1
+//
+// times the factor that makes the variance 1. Since a linear refinement of a linear refinement is
+// linear, the noise at its numbers is a sum of value noises with linear interpolation, of spacing
+// lacunarity^l and weight lacunarity^(l H), all on one lattice.
+//
+// Parameters
+//   seed        64 bits, chooses the normal numbers
+//   dims        1 or 2
+//   hurst       H, 0 (rough) to 1 (smooth)
+//   lacunarity  2, 4 or 8: the ratio of the spacings of two levels
+//   size        numbers in the tile, a power of two from 8 on, one or one an axis; 0: 256 in one
+//               dimension, 64 in two. The coarsest spacing is the largest power of lacunarity that
+//               is below the least size
+//   samples     numbers a unit, 2 to 16, a power of two
+//   interp      how the tile is read: bspline, catmull-rom, linear, nearest; all pass through the
+//               numbers (noises/tile.h)
+//
+// Bound: a normal number is below 8.653 in size (noises/tile.h) and a refinement takes means, so
+// the sum of the deviations of the levels times 8.653, times the gain of the reading kernel. Loose:
+// values beyond 4.5 are rare. Mean 0 and variance 1, over places and seeds: exact, from the squares
+// of what each single number does (noises/displacement.c). Period: the tile. Class: C2, C1, C0 or
+// discontinuous, that of the kernel.
+// Band: none. The spectrum falls about as f^-(2H+1) in one dimension and f^-(2H+2) in two, from
+// 1/tile on, and images of it stand beyond samples/2 cycles a unit. No closed form is stated.
+//
+// Known defects: smoother than midpoint displacement, since old points move too, but still
+// cyclostationary on each level's lattice (a point that was refined has a smaller variance than its
+// neighbours), and the lattices coincide. It is not isotropic. With a large lacunarity the gaps
+// between the levels show.
+// NaN, infinity, and coordinates beyond 2^62 give NaN; 2^52 is where doubles lose the fraction.
+//
+// Source: Voss in peitgen1988, section 1. Deviations: periodic; refinement in two dimensions is
+// bilinear and not by diamonds and squares, so that any lacunarity and any shape of tile will do.
+#include <stddef.h>
+
+#include "noises/common_parameters.h"
+#include "noises/displacement.h"
+#include "noises/noise.h"
+#include "noises/tile_points.h"
+
+typedef struct additions_parameters {
+    bl_tile tile;
+    bl_displacement of;
+    uint32_t lacunarity; // the choice
+    double scale;        // that makes the variance 1; a reseeded block brings it along
+} additions_parameters;
+
+static const char *const lacunarities[] = {"2", "4", "8", NULL};
+
+static bl_status validate(const void *block, bl_message *message) {
+    const additions_parameters *p = block;
+    return bl_tile_check(&p->of.tile, bl_displacement_sizes, 8, message);
+}
+
+static bl_status build(void *block, bl_message *message) {
+    additions_parameters *p = block;
+    p->of.all = 1;
+    p->of.lacunarity = 2u << p->lacunarity;
+    return bl_displacement_build(&p->of, &p->scale, &p->tile, message);
+}
+
+static unsigned dimensions_of(const void *block) {
+    return ((const additions_parameters *)block)->of.tile.dimensions;
+}
+
+static void describe(const void *block, bl_facts *facts) {
+    const additions_parameters *p = block;
+    bl_displacement_describe(&p->of, p->scale, &p->tile, facts);
+}
+
+static const bl_parameter parameters[] = {
+    BL_SEED_PARAMETER(additions_parameters, of.tile.seed, "the displacements"),
+    BL_TILE_DIMENSIONS_PARAMETER(additions_parameters, of.tile.dimensions, 1, 2, "2"),
+    {.key = "hurst",
+     .kind = BL_REAL,
+     .offset = offsetof(additions_parameters, of.hurst),
+     .minimum = 0,
+     .maximum = 1,
+     .fallback = "0.5",
+     .unit = "",
+     .help = "H: an addition at the spacing s has the standard deviation s^H"},
+    {.key = "lacunarity",
+     .kind = BL_CHOICE,
+     .offset = offsetof(additions_parameters, lacunarity),
+     .choices = lacunarities,
+     .fallback = "2",
+     .unit = "",
+     .help = "the ratio of the spacings of two levels"},
+    BL_TILE_SIZE_PARAMETER(additions_parameters, of.tile.size),
+    BL_TILE_SAMPLES_PARAMETER(additions_parameters, of.tile.samples),
+    BL_TILE_INTERP_PARAMETER(additions_parameters, of.tile.interp, "catmull-rom"),
+    {.key = NULL}};
+
+BL_NOISE_DESCRIPTOR(successive_additions) = {
+    .name = "additions",
+    .title = "successive random additions",
+    .summary = "A tile refined level by level: all points get a random addition at each level.",
+    .formula = "n_s = linear refinement of n_(s lacunarity) + s^H z, z normal; down to s = 1",
+    .paper = "peitgen1988, section 1",
+    .dimensions = 2,
+    .parameters = parameters,
+    .parameters_size = sizeof(additions_parameters),
+    .seed_offset = offsetof(additions_parameters, of.tile.seed),
+    .dimensions_of = dimensions_of,
+    .validate = validate,
+    .describe = describe,
+    .functions = {BL_TILE_FUNCTIONS, .build = build},
+};
