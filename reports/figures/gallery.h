@@ -65,6 +65,8 @@ typedef struct bl_gallery_slices {
     double length;          // of a side, units
     size_t pixels;          // of a side
     double black, white;    // both 0: the range of the values of all panels
+    double deviations;      // above 0: instead each panel spans so many standard deviations on
+                            // both sides of its own mean
     const char *unit;       // of the axes: "lattice cells"
 } bl_gallery_slices;
 
