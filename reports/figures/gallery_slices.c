@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "core/grid.h"
+#include "core/statistics.h"
 #include "reports/figures/gallery.h"
 
 static void fill_slice(const bl_signal *signal, const bl_gallery_slices *slices, int threads,
@@ -19,16 +20,31 @@ static void fill_slice(const bl_signal *signal, const bl_gallery_slices *slices,
     bl_grid_fill(signal, &grid, threads, out);
 }
 
+static void span_deviations(const float *values, size_t count, double deviations, double *black,
+                            double *white) {
+    bl_moments moments = {.n = 0};
+    for (size_t i = 0; i < count; i++)
+        if (isfinite(values[i]))
+            bl_moments_add(&moments, (double)values[i]);
+    double half = deviations * sqrt(bl_moments_variance(&moments));
+    *black = moments.mean - (half > 0 ? half : 1);
+    *white = moments.mean + (half > 0 ? half : 1);
+}
+
 static bl_status write_slice(bl_run *run, const bl_gallery *gallery, size_t index,
                              const bl_gallery_slices *slices, const float *values,
                              bl_message *message) {
+    double black = slices->black, white = slices->white;
+    if (slices->deviations > 0)
+        span_deviations(values, slices->pixels * slices->pixels, slices->deviations, &black,
+                        &white);
     const bl_attribute signal = {"bandlimit:signal", gallery->signal[index]->text};
     const bl_image image = {.width = slices->pixels,
                             .height = slices->pixels,
                             .values = values,
                             .spacing = slices->length / (double)slices->pixels,
-                            .black = slices->black,
-                            .white = slices->white,
+                            .black = black,
+                            .white = white,
                             .attributes = &signal,
                             .attribute_count = 1};
     return bl_run_image(run, bl_run_text(run, "%s-%s", gallery->key[index], slices->name), &image,
@@ -56,7 +72,7 @@ static bl_status plot_slices(bl_run *run, const bl_gallery *gallery,
         .black = slices->black,
         .white = slices->white,
         .pixel = slices->length / (double)slices->pixels,
-        .scale_label = "value"};
+        .scale_label = slices->deviations > 0 ? "deviations" : "value"};
     bl_status status = bl_run_plot(run, bl_run_text(run, "slices-%s", slices->name), &plot,
                                    slices->alternative, message);
     free(panels);
@@ -88,6 +104,10 @@ bl_status bl_gallery_draw_slices(bl_run *run, const bl_gallery *gallery,
     bl_run_step(run, "slices");
     for (size_t i = 0; i < gallery->count; i++)
         fill_slice(gallery->signal[i], &slices, bl_run_settings(run)->threads, values + i * pixels);
+    if (slices.deviations > 0) {
+        slices.black = -slices.deviations;
+        slices.white = slices.deviations;
+    }
     if (slices.black == slices.white)
         find_range(values, gallery->count * pixels, &slices.black, &slices.white);
     bl_status status = BL_OK;
