@@ -44,13 +44,12 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .name = "slice",
         .title = "What do all the noises look like?",
         .alternative =
-            "A grey slice of 16 by 16 units of every noise, on one scale of grey from "
-            "-1 to 1; what lies beyond is clipped.",
+            "A grey slice of 16 by 16 units of every noise, each from 2.5 standard "
+            "deviations below its mean, black, to 2.5 above it, white.",
         .origin = {0, 0, 0.381966, 0.618034},
         .length = CELLS,
         .pixels = PIXELS,
-        .black = -1,
-        .white = 1,
+        .deviations = 2.5,
         .unit = "units"};
     bl_gallery gallery;
     bl_gallery_spectra spectra;
