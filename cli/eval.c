@@ -8,29 +8,48 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "cli/components.h"
 #include "cli/json.h"
 #include "cli/verb.h"
 #include "cli/words.h"
+
+typedef struct eval_settings {
+    uint64_t components;
+} eval_settings;
 
 // What is carried from line to line.
 typedef struct point_reader {
     bl_call *call;
     const bl_signal *signal;
+    bl_vector_signal vector;             // the signal and its further components
     json_t *points, *values, *reference; // NULL without --json
     size_t line;
 } point_reader;
 
+// A number, or with more than one component an array of numbers.
+static json_t *one_or_all(const double *numbers, size_t count) {
+    return count == 1 ? bl_json_number(numbers[0]) : bl_json_numbers(numbers, count);
+}
+
 static void answer(point_reader *reader, const double at[BL_AXES], size_t given) {
     static const double step[BL_AXES] = {1};
-    float value;
-    bl_signal_row(reader->signal, at, step, 1, &value);
+    double values[BL_COMPONENTS_MOST], reference[BL_COMPONENTS_MOST];
+    const size_t count = reader->vector.count;
+    for (size_t k = 0; k < count; k++) {
+        float value;
+        bl_signal_row(reader->vector.of[k], at, step, 1, &value);
+        values[k] = (double)value;
+        if (reader->points)
+            reference[k] = bl_signal_value(reader->vector.of[k], at);
+    }
     if (!reader->points) {
-        fprintf(reader->call->out, "%.9g\n", (double)value + 0.0); // -0 is 0
+        for (size_t k = 0; k < count; k++) // -0 is 0
+            fprintf(reader->call->out, "%.9g%c", values[k] + 0.0, k + 1 < count ? ' ' : '\n');
         return;
     }
     json_array_append_new(reader->points, bl_json_numbers(at, given));
-    json_array_append_new(reader->values, bl_json_number((double)value));
-    json_array_append_new(reader->reference, bl_json_number(bl_signal_value(reader->signal, at)));
+    json_array_append_new(reader->values, one_or_all(values, count));
+    json_array_append_new(reader->reference, one_or_all(reference, count));
 }
 
 // Reads one line: up to four numbers with blanks or one comma between them; # starts a comment.
@@ -134,7 +153,13 @@ static bl_status run_eval(bl_call *call) {
     bl_status status = bl_call_open_seeded(call, &signal);
     if (status != BL_OK)
         return status;
+    const eval_settings *settings = call->settings;
     point_reader reader = {.call = call, .signal = signal};
+    status = bl_vector_signal_open(signal, settings->components, &reader.vector, &call->message);
+    if (status != BL_OK) {
+        bl_signal_free(signal);
+        return status;
+    }
     json_t *object = bl_json_start(call);
     if (object) {
         bl_json_set_text(object, "signal", signal->text);
@@ -143,9 +168,12 @@ static bl_status run_eval(bl_call *call) {
         json_object_set_new(object, "reference", reader.reference = json_array());
     }
     status = call->operands.count > 1 ? read_words(&reader) : read_input(&reader);
+    bl_vector_signal_free(&reader.vector);
     bl_signal_free(signal);
     return status;
 }
+
+static const bl_option options[] = {BL_COMPONENTS_OPTION(eval_settings, components), {0}};
 
 const bl_verb bl_verb_eval = {
     .name = "eval",
@@ -155,12 +183,14 @@ const bl_verb bl_verb_eval = {
         "Prints the value at the point X Y Z W in lattice cells; coordinates left out are 0, "
         "and those that the signal does not have are ignored. Without X, points are read from "
         "standard input, one a line, numbers with blanks or one comma between them, # starting a "
-        "comment; one value is printed for each. A value is the float that rows of samples "
+        "comment; one value is printed for each, or with --components a line of as many. A value "
+        "is the float that rows of samples "
         "hold; with --json the double reference is given too. A place where the signal has no "
         "value prints nan (null in JSON).",
     .least = 1,
     .most = 1 + BL_AXES,
     .output_help = "write the values to PATH instead of stdout",
-    .options = bl_no_options,
+    .options = options,
+    .settings_size = sizeof(eval_settings),
     .run = run_eval,
 };

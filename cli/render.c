@@ -6,6 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "cli/components.h"
 #include "cli/json.h"
 #include "cli/plain.h"
 #include "cli/verb.h"
@@ -16,7 +17,7 @@
 #include "spectra/theory.h"
 
 typedef struct render_settings {
-    uint64_t width, height;
+    uint64_t width, height, components;
     double scale;
     const char *at, *normal, *range, *bits;
 } render_settings;
@@ -26,6 +27,7 @@ typedef struct slice_view {
     double spacing;
     double centre[BL_AXES], normal[3];
     double black, white;
+    size_t components;
 } slice_view;
 
 static int is_png(const char *path) {
@@ -81,7 +83,8 @@ static bl_status settle_plane(const bl_signal *signal, slice_view *view, bl_mess
 static bl_status settle_view(bl_call *call, const bl_signal *signal, slice_view *view) {
     const render_settings *settings = call->settings;
     bl_status status = BL_OK;
-    *view = (slice_view){.normal = {0, 0, 1}, .black = -1, .white = 1};
+    *view = (slice_view){
+        .normal = {0, 0, 1}, .black = -1, .white = 1, .components = settings->components};
     settle_size(settings, signal, view);
     if (settings->at)
         status = bl_read_list("at", settings->at, 1, BL_AXES, bl_signal_far(signal), view->centre,
@@ -116,7 +119,7 @@ static image_outcome look(const float *values, size_t count, const slice_view *v
 
 static void report(bl_call *call, const bl_signal *signal, const slice_view *view,
                    const image_outcome *outcome) {
-    size_t count = view->grid.width * view->grid.height;
+    size_t count = view->grid.width * view->grid.height * view->components;
     json_t *object = bl_json_start(call);
     if (object) {
         bl_json_set_text(object, "signal", signal->text);
@@ -124,7 +127,8 @@ static void report(bl_call *call, const bl_signal *signal, const slice_view *vie
         bl_json_set_count(object, "width_pixels", view->grid.width);
         bl_json_set_count(object, "height_pixels", view->grid.height);
         bl_json_set_number(object, "spacing_units", view->spacing);
-        bl_json_set_numbers(object, "centre", view->centre, 3);
+        bl_json_set_count(object, "components", view->components);
+        bl_json_set_numbers(object, "centre", view->centre, signal->dimensions == 4 ? 4 : 3);
         bl_json_set_numbers(object, "normal", view->normal, 3);
         bl_json_set_number(object, "min", outcome->minimum);
         bl_json_set_number(object, "max", outcome->maximum);
@@ -149,25 +153,32 @@ static void report(bl_call *call, const bl_signal *signal, const slice_view *vie
         fprintf(call->out, "black is %g, white is %g; %zu value%s clipped\n", view->black + 0.0,
                 view->white + 0.0, outcome->clipped, outcome->clipped == 1 ? " was" : "s were");
     size_t missing = count - outcome->finite;
-    if (missing)
+    if (missing && view->components > 1)
+        fprintf(call->out, "%zu of %zu values %s missing\n", missing, count,
+                missing == 1 ? "is" : "are");
+    else if (missing)
         fprintf(call->out, "%zu pixel%s no value\n", missing, missing == 1 ? " has" : "s have");
 }
 
 static bl_status write_image(bl_call *call, const bl_signal *signal, const slice_view *view,
                              const float *values) {
-    char centre[128], normal[128];
-    snprintf(centre, sizeof centre, "%.17g %.17g %.17g", view->centre[0], view->centre[1],
-             view->centre[2]);
+    char centre[128], normal[128], components[32];
+    int length = snprintf(centre, sizeof centre, "%.17g %.17g %.17g", view->centre[0],
+                          view->centre[1], view->centre[2]);
+    if (signal->dimensions == 4)
+        snprintf(centre + length, sizeof centre - (size_t)length, " %.17g", view->centre[3]);
+    snprintf(components, sizeof components, "%zu", view->components);
     snprintf(normal, sizeof normal, "%.17g %.17g %.17g", view->normal[0], view->normal[1],
              view->normal[2]);
     const bl_attribute attributes[] = {{"bandlimit:version", BL_VERSION},
                                        {"bandlimit:signal", signal->text},
                                        {"bandlimit:centre", centre},
-                                       {"bandlimit:normal", normal}};
+                                       {"bandlimit:normal", normal},
+                                       {"bandlimit:components", components}};
     const render_settings *settings = call->settings;
     const bl_image image = {.width = view->grid.width,
                             .height = view->grid.height,
-                            .channels = 1,
+                            .channels = view->components,
                             .values = values,
                             .spacing = view->spacing,
                             .black = view->black,
@@ -176,6 +187,17 @@ static bl_status write_image(bl_call *call, const bl_signal *signal, const slice
                             .attributes = attributes,
                             .attribute_count = sizeof attributes / sizeof *attributes};
     return bl_image_write(call->path, &image, &call->message);
+}
+
+// Fills pixels of as many values as there are components; `plane` holds one of them.
+static void fill(bl_call *call, const bl_vector_signal *vector, const bl_grid *grid, float *plane,
+                 float *values) {
+    const size_t pixels = grid->width * grid->height;
+    for (size_t k = 0; k < vector->count; k++) {
+        bl_grid_fill(vector->of[k], grid, bl_call_threads(call), plane);
+        for (size_t i = 0; i < pixels && plane != values; i++)
+            values[vector->count * i + k] = plane[i];
+    }
 }
 
 static bl_status check_memory(const bl_grid *grid, double bytes, bl_message *message) {
@@ -203,30 +225,46 @@ static bl_status report_nothing(const bl_signal *signal, bl_message *message) {
                      (double)(extent->size[1] - 1) * extent->spacing[1]);
 }
 
+static bl_status fill_and_write(bl_call *call, const bl_signal *signal, const slice_view *view,
+                                const bl_vector_signal *vector, float *plane, float *values) {
+    bl_progress(call, "rendering %s ...", signal->text);
+    fill(call, vector, &view->grid, plane, values);
+    image_outcome outcome =
+        look(values, view->components * view->grid.width * view->grid.height, view);
+    if (outcome.finite == 0)
+        return report_nothing(signal, &call->message);
+    bl_status status = write_image(call, signal, view, values);
+    if (status == BL_OK)
+        report(call, signal, view, &outcome);
+    return status;
+}
+
 static bl_status render(bl_call *call, const bl_signal *signal) {
     slice_view view;
     bl_status status = settle_view(call, signal, &view);
     if (status != BL_OK)
         return status;
-    // The writer holds a second copy at most; 2^30 * 2^30 * 8 fits in a double and not in memory.
-    double bytes = 8.0 * (double)view.grid.width * (double)view.grid.height;
+    // The writer holds a second copy at most; 2^30 * 2^30 * 36 fits in a double and not in memory.
+    const size_t count = view.components;
+    double bytes = (8.0 * (double)count + (count > 1 ? 4 : 0)) * (double)view.grid.width *
+                   (double)view.grid.height;
     status = check_memory(&view.grid, bytes, &call->message);
     if (status != BL_OK)
         return status;
-    size_t count = view.grid.width * view.grid.height;
-    float *values = malloc(count * sizeof *values);
-    if (!values)
-        return bl_report(&call->message, BL_DEVICE, "out of memory: the image takes %s",
-                         bl_plain_bytes(bytes).text);
-    bl_progress(call, "rendering %s ...", signal->text);
-    bl_grid_fill(signal, &view.grid, bl_call_threads(call), values);
-    image_outcome outcome = look(values, count, &view);
-    if (outcome.finite == 0)
-        status = report_nothing(signal, &call->message);
+    size_t pixels = view.grid.width * view.grid.height;
+    float *values = malloc(count * pixels * sizeof *values);
+    float *plane = count > 1 ? malloc(pixels * sizeof *plane) : values;
+    bl_vector_signal vector = {.count = 1};
+    if (!values || !plane)
+        status = bl_report(&call->message, BL_DEVICE, "out of memory: the image takes %s",
+                           bl_plain_bytes(bytes).text);
     else
-        status = write_image(call, signal, &view, values);
+        status = bl_vector_signal_open(signal, count, &vector, &call->message);
     if (status == BL_OK)
-        report(call, signal, &view, &outcome);
+        status = fill_and_write(call, signal, &view, &vector, plane, values);
+    bl_vector_signal_free(&vector);
+    if (plane != values)
+        free(plane);
     free(values);
     return status;
 }
@@ -235,6 +273,12 @@ static bl_status run_render(bl_call *call) {
     if (!call->path)
         return bl_report(&call->message, BL_USAGE, "render needs -o FILE (.exr, .png or .tif)");
     bl_signal *signal;
+    const render_settings *settings = call->settings;
+    if (is_png(call->path) && (settings->components == 2 || settings->components == 4))
+        return bl_report(&call->message, BL_USAGE,
+                         "--components %d: a PNG would take the last one for opacity; use 1 or 3, "
+                         "or write .exr or .tif",
+                         (int)settings->components);
     bl_status status = check_ending(call->path, &call->message);
     if (status == BL_OK)
         status = bl_output_check(call->path, &call->message);
@@ -275,8 +319,9 @@ static const bl_option options[] = {
     {.name = "at",
      .kind = BL_OPTION_WORD,
      .offset = AT(at),
-     .value = "X,Y,Z",
-     .help = "the point at the centre (default: 0,0,0, or the middle of an image)"},
+     .value = "X,Y,Z,W",
+     .help = "the point at the centre; of a noise in four dimensions W, its time, too (default: "
+             "0,0,0,0, or the middle of an image)"},
     {.name = "normal",
      .kind = BL_OPTION_WORD,
      .offset = AT(normal),
@@ -294,6 +339,7 @@ static const bl_option options[] = {
      .fallback = "8",
      .choices = bits,
      .help = "PNG: bits a pixel"},
+    BL_COMPONENTS_OPTION(render_settings, components),
     {0}};
 #undef AT
 
@@ -303,7 +349,8 @@ const bl_verb bl_verb_render = {
     .summary = "an image of a slice (EXR, PNG, TIFF by the name)",
     .text =
         "EXR and TIFF hold the values as floats; PNG holds codes proportional to the value "
-        "within the range. The settings travel as attributes of the file.",
+        "within the range. With --components a pixel has as many values: three are red, green and "
+        "blue. The settings travel as attributes of the file.",
     .least = 1,
     .most = 1,
     .output = BL_OUTPUT_FOLDER,

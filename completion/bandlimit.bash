@@ -38,6 +38,7 @@ _bandlimit() {
         COMPREPLY=($(compgen -W "$words" -- "$current"))
         ;;
     --format) COMPREPLY=($(compgen -W "svg pdf" -- "$current")) ;;
+    --components) COMPREPLY=($(compgen -W "1 2 3 4" -- "$current")) ;;
     --bits) COMPREPLY=($(compgen -W "8 16" -- "$current")) ;;
     -o | --output) COMPREPLY=($(compgen -f -- "$current")) ;;
     --seed | --threads | --rate | --size | --average | --level | --band | --leak | --guard | \
@@ -76,9 +77,12 @@ _bandlimit() {
         words="noises filters textures figures"
         ;;
     show) words="$(_bandlimit_names noises) $(_bandlimit_names figures)" files=yes ;;
-    eval) words=$(_bandlimit_names noises) files=yes ;;
+    eval)
+        options="--components"
+        words=$(_bandlimit_names noises) files=yes
+        ;;
     render)
-        options="--width --height --scale --at --normal --range --bits"
+        options="--width --height --scale --at --normal --range --bits --components"
         words=$(_bandlimit_names noises) files=yes
         ;;
     spectrum)

@@ -17,7 +17,7 @@ typedef struct bl_attribute {
 
 typedef struct bl_image {
     size_t width, height;
-    size_t channels;     // 1 grey or 3 colour; 0 means 1
+    size_t channels;     // 1 grey, 3 colour; 2 or 4 numbers, not in PNG; 0 means 1
     const float *values; // height rows of width pixels of channels values; row 0 is the top
     double spacing;      // units between pixels; 0: not stated
     double black, white; // PNG: the values shown as 0 and as full scale; both 0: the finite range

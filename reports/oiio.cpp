@@ -133,6 +133,11 @@ OIIO::ImageSpec spec_of(const bl_image &image, Format format, int channels) {
                          type);
     if (channels == 1)
         spec.channelnames = {"Y"};
+    if (channels == 2 || channels == 4) { // numbers, none of them an opacity
+        for (int i = 0; i < channels; i++)
+            spec.channelnames[static_cast<size_t>(i)] = "component" + std::to_string(i);
+        spec.alpha_channel = -1;
+    }
     spec.attribute("compression", "zip");
     // Without a date OpenImageIO writes the time: the same image must have the same bytes.
     spec.attribute("DateTime", "1970:01:01 00:00:00");
@@ -220,9 +225,10 @@ bl_status check_image(const char *path, const bl_image &image, bl_message *messa
     if (!image.width || !image.height || image.width > most || image.height > most)
         return bl_report(message, BL_USAGE, "'%s': no image has %zu x %zu pixels", path,
                          image.width, image.height);
-    if ((channels != 1 && channels != 3) || (image.bits && image.bits != 8 && image.bits != 16))
-        return bl_report(message, BL_USAGE, "'%s': an image has 1 or 3 channels and 8 or 16 bits",
-                         path);
+    if (channels > 4 || (format_of(path) == Format::png && channels % 2 == 0) ||
+        (image.bits && image.bits != 8 && image.bits != 16))
+        return bl_report(message, BL_USAGE,
+                         "'%s': an image has 1 to 4 channels, PNG 1 or 3, and 8 or 16 bits", path);
     return BL_OK;
 }
 
