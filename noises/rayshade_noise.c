@@ -44,8 +44,7 @@ static bl_value_noise value_noise_of(const void *block) {
     return bl_value_noise_of(&p->lattice, interps[p->weights]);
 }
 
-// From (-1, 1) to (0, 1). The double nearest to the float result is as near as that of the value:
-// half of its error, and half a unit in the last place.
+// From (-1, 1) to (0, 1): half of the error of the value noise, and half a unit in the last place.
 static void to_unit(float *restrict out, size_t count) {
 #pragma omp simd
     for (size_t i = 0; i < count; i++)

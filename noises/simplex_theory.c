@@ -24,11 +24,14 @@ double bl_simplex_covariance(unsigned dims, double distance) {
     double top = M_SQRT1_2 - distance / 2, sum = 0;
     if (!(top > 0))
         return 0;
-    for (int i = 0; i < BL_QUADRATURE_NODES; i++) {
-        double z = top / 2 * (1 + bl_quadrature_node[i]);
-        sum += bl_quadrature_weight[i] * lens_slice(dims, z, distance);
+    for (int i = 0; i < 2 * BL_QUADRATURE_NODES; i++) {
+        // In even dimensions a slice ends as an odd power of the root of top - z: of q.
+        double q = (1 + bl_quadrature_node[i / 2] + 2 * (i % 2)) / 4;
+        double z = dims == 3 ? top * q : top * (1 - q * q);
+        double slice = lens_slice(dims, z, distance);
+        sum += bl_quadrature_weight[i / 2] * (dims == 3 ? 1 : 2 * q) * slice;
     }
-    return 2 * sqrt(dims + 1) * top / 2 * sum;
+    return 2 * sqrt(dims + 1) * top / 4 * sum;
 }
 
 // Gamma(v+1) (2/z)^v J_v(z) by its series: at z < 8 no term is above 2.4, and the 30th is below

@@ -275,6 +275,29 @@ static void test_the_mean_and_the_variance_are_as_stated(void **state) {
     }
 }
 
+// The leak that a noise states is the share of its line spectrum outside of its band, rounded up to
+// the next hundredth of a dB.
+static void test_the_leak_is_as_stated(void **state) {
+    (void)state;
+    static const char *const more[] = {"simplex:dims=2", "simplex:dims=4", "white:cell=1",
+                                       "wiener:covariance=sinc", "wiener:width=2"};
+    double directions[3][BL_AXES] = {{1, 0, 0, 0}};
+    size_t count = bl_noise_count();
+    for (size_t i = 0; i < count + sizeof more / sizeof *more; i++) {
+        bl_signal *signal =
+            open_noise(i < count ? bl_noise_at(i, BL_ISA_BEST)->name : more[i - count]);
+        const bl_facts *facts = &signal->facts;
+        if (bl_signal_has_closed_form(signal) && !isnan(facts->leak_db)) {
+            double share = bl_theory_band(signal, 1, directions, facts->band_from, facts->band_to);
+            double leak = 10 * log10(1 - share);
+            if (!(leak <= facts->leak_db && facts->leak_db < leak + 0.0101))
+                fail_msg("%s: states a leak of %g dB, has %g dB", signal->text, facts->leak_db,
+                         leak);
+        }
+        bl_signal_free(signal);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_statistic_keeps_its_level),
@@ -282,6 +305,7 @@ int main(void) {
         cmocka_unit_test(test_every_noise_has_the_spectrum_it_states),
         cmocka_unit_test(test_settings_together_have_the_spectrum_they_state),
         cmocka_unit_test(test_the_mean_and_the_variance_are_as_stated),
+        cmocka_unit_test(test_the_leak_is_as_stated),
     };
     return bl_run_tests(tests);
 }
