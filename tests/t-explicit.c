@@ -316,7 +316,7 @@ static void test_the_residual_is_orthogonal_to_the_coarse_splines(void **state) 
     enum { N = 16 };
     double fine[N], coarse[N / 2], up[N];
     bl_random random = bl_random_seed(2, 0);
-    bl_tile_normals(&random, fine, N);
+    bl_tile_numbers(&random, fine, N);
     bl_wavelet_down(fine, 1, N, 1, coarse);
     bl_wavelet_up(coarse, 1, N, 1, up);
     assert_int_equal(bl_wavelet_remove_coarse(fine, (const uint32_t[]){N, 1, 1}, NULL), BL_OK);
