@@ -12,7 +12,7 @@ const uint32_t bl_displacement_sizes[BL_TILE_AXES] = {256, 64, 0};
 typedef struct walk {
     double *grid;
     size_t width, height; // height 1: a line
-    const double *normal; // the next one; NULL: only the classes are counted
+    const double *number; // the next one; NULL: only the classes are counted
     size_t taken;
     double total; // of the deviations
     size_t class_start[128];
@@ -26,7 +26,7 @@ static void begin_class(walk *at, double deviation) {
 
 static double take(walk *at, double deviation) {
     at->taken++;
-    return at->normal ? deviation * *at->normal++ : 0;
+    return at->number ? deviation * *at->number++ : 0;
 }
 
 // The number at a place of the periodic grid; sizes are powers of two.
@@ -119,10 +119,10 @@ static void walk_additions(walk *at, double hurst, size_t ratio) {
 
 // --- both ---------------------------------------------------------------------------------------
 
-static walk walk_all(const bl_displacement *settings, const double *normals, double *grid) {
+static walk walk_all(const bl_displacement *settings, const double *numbers, double *grid) {
     uint32_t size[BL_TILE_AXES];
     bl_tile_sizes(&settings->tile, bl_displacement_sizes, size);
-    walk at = {.grid = grid, .width = size[0], .height = size[1], .normal = normals};
+    walk at = {.grid = grid, .width = size[0], .height = size[1], .number = numbers};
     memset(grid, 0, at.width * at.height * sizeof *grid);
     if (settings->all)
         walk_additions(&at, settings->hurst, settings->lacunarity);
@@ -139,8 +139,8 @@ size_t bl_displacement_count(const bl_displacement *settings) {
     return (settings->all ? 2 : 1) * bl_tile_count(size);
 }
 
-double bl_displacement_fill(const bl_displacement *settings, const double *normals, double *grid) {
-    return walk_all(settings, normals, grid).total;
+double bl_displacement_fill(const bl_displacement *settings, const double *numbers, double *grid) {
+    return walk_all(settings, numbers, grid).total;
 }
 
 // The mean of the square over places: the sum over i, j of g_i g_j rho(i-j) divided by the count,
@@ -174,8 +174,8 @@ bl_status bl_displacement_variance(const bl_displacement *settings, double *vari
                                    bl_message *message) {
     uint32_t size[BL_TILE_AXES];
     bl_tile_sizes(&settings->tile, bl_displacement_sizes, size);
-    size_t count = bl_tile_count(size), normals = bl_displacement_count(settings);
-    double *grid = malloc(2 * count * sizeof *grid), *one = calloc(normals, sizeof *one), rho[4];
+    size_t count = bl_tile_count(size), numbers = bl_displacement_count(settings);
+    double *grid = malloc(2 * count * sizeof *grid), *one = calloc(numbers, sizeof *one), rho[4];
     if (!grid || !one) {
         free(grid);
         free(one);
@@ -217,13 +217,13 @@ bl_status bl_displacement_build(const bl_displacement *settings, double *scale, 
     }
     *tile = (bl_tile){.dimensions = settings->tile.dimensions, .rate = settings->tile.samples};
     bl_tile_sizes(&settings->tile, bl_displacement_sizes, tile->size);
-    size_t count = bl_tile_count(tile->size), normals = bl_displacement_count(settings);
-    double *grid = malloc(count * sizeof *grid), *normal = malloc(normals * sizeof *normal);
+    size_t count = bl_tile_count(tile->size), numbers = bl_displacement_count(settings);
+    double *grid = malloc(count * sizeof *grid), *number = malloc(numbers * sizeof *number);
     bl_status status = BL_DEVICE;
-    if (grid && normal) {
+    if (grid && number) {
         bl_random random = bl_random_seed(settings->tile.seed, settings->all ? 21 : 20);
-        bl_tile_normals(&random, normal, normals);
-        bl_displacement_fill(settings, normal, grid);
+        bl_tile_numbers(&random, number, numbers);
+        bl_displacement_fill(settings, number, grid);
         for (uint32_t a = 0; a < BL_TILE_AXES; a++)
             tile->kernel[a] = settings->tile.interp;
         bl_tile_prefilter(grid, tile->size, (bl_tile_kernel)settings->tile.interp);
@@ -232,7 +232,7 @@ bl_status bl_displacement_build(const bl_displacement *settings, double *scale, 
         bl_report(message, BL_DEVICE, "out of memory for a tile of %zu numbers", count);
     }
     free(grid);
-    free(normal);
+    free(number);
     return status;
 }
 
@@ -245,13 +245,13 @@ void bl_displacement_describe(const bl_displacement *settings, double scale, con
     if (grid)
         total = bl_displacement_fill(settings, NULL, grid);
     free(grid);
-    double bound = grid ? total * scale * BL_TILE_NORMAL : INFINITY;
+    double bound = grid ? total * scale * BL_TILE_NUMBER : INFINITY;
     bound *= pow(bl_tile_prefilter_gain(kernel) * bl_tile_gain(kernel), tile->dimensions);
     bl_tile_describe(tile, facts);
     facts->lower = -bound;
     facts->upper = bound;
     facts->bound_proof =
-        "every displacement is below 8.653 deviations, and midpoints are means of what is there: "
+        "every displacement is below 3.4642 deviations, and midpoints are means of what is there: "
         "their sum over the levels, times the largest sum of the kernel's weights";
     facts->variance = 1;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Random displacement from coarse to fine, on periodic grids: what the noises `midpoint` and
-// `additions` are made of. Both are linear in the normal numbers they draw, which is how their
+// `additions` are made of. Both are linear in the random numbers they draw, which is how their
 // variance is found: bl_displacement_variance passes one unit number of each class through the
 // same code, with no random number in sight.
 #ifndef BL_NOISES_DISPLACEMENT_H
@@ -18,12 +18,12 @@ typedef struct bl_displacement {
 
 extern const uint32_t bl_displacement_sizes[BL_TILE_AXES];
 
-// How many normal numbers it draws.
+// How many random numbers it draws.
 size_t bl_displacement_count(const bl_displacement *settings);
 
-// Fills the grid, x fastest, from `normals`; returns the sum over the levels of the standard
-// deviation of a displacement: an upper bound of |value| / |largest normal number|.
-double bl_displacement_fill(const bl_displacement *settings, const double *normals, double *grid);
+// Fills the grid, x fastest, from `numbers`; returns the sum over the levels of the standard
+// deviation of a displacement: an upper bound of |value| / |largest number|.
+double bl_displacement_fill(const bl_displacement *settings, const double *numbers, double *grid);
 
 // The variance over places and seeds, as read back by the kernel. Errors: BL_DEVICE.
 bl_status bl_displacement_variance(const bl_displacement *settings, double *variance,

@@ -43,7 +43,7 @@
 // transform is the library's (core/fft.h), with an estimated plan: on another kind of processor its
 // last bits may differ, in double, which can turn the last bit of a number of the tile.
 //
-// Source: Saupe in peitgen1988, section 2 (spectral synthesis); peachey2003, p. 48, names it.
+// Source: Saupe in peitgen1988, chapter 2 (spectral synthesis); peachey2003, p. 48, names it.
 // Deviations: any spectrum; no sample at half the sampling frequency; the kernel is compensated.
 #include <stddef.h>
 
@@ -148,7 +148,7 @@ BL_NOISE_DESCRIPTOR(fourier_synthesis) = {
         "A tile of cosines of random phase, with a band, a power law, or a table as its "
         "spectrum.",
     .formula = "n(p) = sum_k sqrt(2 p_k) g_k cos(2 pi f_k . p + phase_k)",
-    .paper = "peitgen1988, section 2",
+    .paper = "peitgen1988, chapter 2",
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(fourier_parameters),

@@ -3,15 +3,16 @@
 // midpoint: fractional Brownian motion, roughly, by random midpoint displacement, as a tile.
 //
 //   a line    level by level: the point half way between two neighbours s apart gets their mean
-//             plus s^H z, z standard normal; then s is halved
+//             plus s^H z; then s is halved
 //   a plane   diamonds and squares: the middle of each square of side s gets the mean of its four
 //             corners plus s^H z, then the middle of each side the mean of its four neighbours,
 //             corners and middles, plus (s/sqrt 2)^H z; then s is halved
 //
-// from one point, 0, on a periodic grid, times the factor that makes the variance 1.
+// z random of mean 0 and variance 1, nearly normal (bl_tile_numbers in noises/tile.h); begun
+// from one point, 0, on a periodic grid, and times the factor that makes the variance 1.
 //
 // Parameters
-//   seed     64 bits, chooses the normal numbers
+//   seed     64 bits, chooses the random numbers
 //   dims     1 or 2
 //   hurst    H, 0 (rough) to 1 (smooth)
 //   size     numbers in the tile, a power of two from 8 on, the same along both axes; 0: 256 in one
@@ -20,13 +21,12 @@
 //   interp   how the tile is read: bspline, catmull-rom, linear, nearest; all pass through the
 //            numbers (noises/tile.h)
 //
-// Bound: a normal number is below 8.653 in size (noises/tile.h) and means add nothing, so the sum
-// of the deviations of the levels times 8.653, times the gain of the reading kernel. Loose: values
-// beyond 4 are rare. Mean 0 and variance 1, over places and seeds: exact, from the squares of what
-// each single number does (noises/displacement.c). Period: the tile. Class: C2, C1, C0 or
-// discontinuous, that of the kernel.
-// Band: none. The spectrum falls about as f^-(2H+1) in one dimension and f^-(2H+2) in two, from
-// 1/tile on, and images of it stand beyond samples/2 cycles a unit. No closed form is stated.
+// Bound: a random number is below 3.4642 in size and means add nothing, so the sum
+// of the deviations of the levels times 3.4642, times the gain of the reading kernel. Mean 0 and
+// variance 1, over places and seeds: exact, from the squares of what each single number does
+// (noises/displacement.c). Period: the tile. Class: C2, C1, C0 or discontinuous, that of the
+// kernel. Band: none. The spectrum falls about as f^-(2H+1) in one dimension and f^-(2H+2) in two,
+// from 1/tile on, and images of it stand beyond samples/2 cycles a unit. No closed form is stated.
 //
 // Known defects, those of the method: it is not stationary. The variance depends on the place in
 // the tile, 0 at the first point, and points of coarse levels are never touched again, so creases
@@ -34,7 +34,7 @@
 // not, one variance. It is not isotropic.
 // NaN, infinity, and coordinates beyond 2^62 give NaN; 2^52 is where doubles lose the fraction.
 //
-// Source: fournier1982; diamonds and squares as in peitgen1988, section 2. Deviations: periodic;
+// Source: fournier1982; diamonds and squares as in peitgen1988, chapter 2. Deviations: periodic;
 // the first level is that of one point; the displacements are s^H, without the factor
 // sqrt(1 - 2^(2H-2)) of the exact variance of a midpoint, which the unit variance swallows.
 #include <stddef.h>
@@ -97,7 +97,7 @@ BL_NOISE_DESCRIPTOR(midpoint_displacement) = {
     .name = "midpoint",
     .title = "midpoint displacement",
     .summary = "A tile refined level by level: midpoints are means plus a random displacement.",
-    .formula = "midpoint = mean of the neighbours s apart + s^H z, z normal; then s/2",
+    .formula = "midpoint = mean of the neighbours s apart + s^H z, z random; then s/2",
     .paper = "fournier1982",
     .dimensions = 2,
     .parameters = parameters,

@@ -2,15 +2,16 @@
 //
 // additions: fractional Brownian motion by successive random additions, as a tile.
 //
-//   all points of a periodic grid s numbers apart get s^H z, z standard normal; the grid is refined
-//   linearly (along x, then along y) to one s/lacunarity apart; and so on to s = 1
+//   all points of a periodic grid s numbers apart get s^H z; the grid is refined linearly (along x,
+//   then along y) to one s/lacunarity apart; and so on to s = 1
 //
+// z random of mean 0 and variance 1, nearly normal (bl_tile_numbers in noises/tile.h);
 // times the factor that makes the variance 1. Since a linear refinement of a linear refinement is
 // linear, the noise at its numbers is a sum of value noises with linear interpolation, of spacing
 // lacunarity^l and weight lacunarity^(l H), all on one lattice.
 //
 // Parameters
-//   seed        64 bits, chooses the normal numbers
+//   seed        64 bits, chooses the random numbers
 //   dims        1 or 2
 //   hurst       H, 0 (rough) to 1 (smooth)
 //   lacunarity  2, 4 or 8: the ratio of the spacings of two levels
@@ -21,13 +22,12 @@
 //   interp      how the tile is read: bspline, catmull-rom, linear, nearest; all pass through the
 //               numbers (noises/tile.h)
 //
-// Bound: a normal number is below 8.653 in size (noises/tile.h) and a refinement takes means, so
-// the sum of the deviations of the levels times 8.653, times the gain of the reading kernel. Loose:
-// values beyond 4.5 are rare. Mean 0 and variance 1, over places and seeds: exact, from the squares
-// of what each single number does (noises/displacement.c). Period: the tile. Class: C2, C1, C0 or
-// discontinuous, that of the kernel.
-// Band: none. The spectrum falls about as f^-(2H+1) in one dimension and f^-(2H+2) in two, from
-// 1/tile on, and images of it stand beyond samples/2 cycles a unit. No closed form is stated.
+// Bound: a random number is below 3.4642 in size and a refinement takes means, so
+// the sum of the deviations of the levels times 3.4642, times the gain of the reading kernel. Mean
+// 0 and variance 1, over places and seeds: exact, from the squares of what each single number does
+// (noises/displacement.c). Period: the tile. Class: C2, C1, C0 or discontinuous, that of the
+// kernel. Band: none. The spectrum falls about as f^-(2H+1) in one dimension and f^-(2H+2) in two,
+// from 1/tile on, and images of it stand beyond samples/2 cycles a unit. No closed form is stated.
 //
 // Known defects: smoother than midpoint displacement, since old points move too, but still
 // cyclostationary on each level's lattice (a point that was refined has a smaller variance than its
@@ -35,7 +35,7 @@
 // between the levels show.
 // NaN, infinity, and coordinates beyond 2^62 give NaN; 2^52 is where doubles lose the fraction.
 //
-// Source: Voss in peitgen1988, section 1. Deviations: periodic; refinement in two dimensions is
+// Source: Voss in peitgen1988, chapter 1. Deviations: periodic; refinement in two dimensions is
 // bilinear and not by diamonds and squares, so that any lacunarity and any shape of tile will do.
 #include <stddef.h>
 
@@ -101,8 +101,8 @@ BL_NOISE_DESCRIPTOR(successive_additions) = {
     .name = "additions",
     .title = "successive random additions",
     .summary = "A tile refined level by level: all points get a random addition at each level.",
-    .formula = "n_s = linear refinement of n_(s lacunarity) + s^H z, z normal; down to s = 1",
-    .paper = "peitgen1988, section 1",
+    .formula = "n_s = linear refinement of n_(s lacunarity) + s^H z, z random; down to s = 1",
+    .paper = "peitgen1988, chapter 1",
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(additions_parameters),

@@ -258,12 +258,13 @@ double bl_tile_prefilter_gain(bl_tile_kernel kernel) {
     return kernel == BL_TILE_BSPLINE3 ? 3 : 1;
 }
 
-void bl_tile_normals(bl_random *random, double *numbers, size_t count) {
-    for (size_t i = 0; i < count; i += 2) {
-        double u = ((double)(bl_random_bits(random) >> 11) + 0.5) * 0x1p-53;
-        double angle = 2 * M_PI * bl_random_unit(random), radius = sqrt(-2 * log(u));
-        numbers[i] = radius * cos(angle);
-        if (i + 1 < count)
-            numbers[i + 1] = radius * sin(angle);
+void bl_tile_numbers(bl_random *random, double *numbers, size_t count) {
+    // Each uniform number is one of the 2^16 odd multiples of 2^-16 in (-1, 1).
+    const double scale = sqrt(0.75 / (1 - 0x1p-32)) * 0x1p-16;
+    for (size_t i = 0; i < count; i++) {
+        uint64_t bits = bl_random_bits(random);
+        int32_t sum = (int32_t)((bits & 0xffff) + (bits >> 16 & 0xffff) + (bits >> 32 & 0xffff) +
+                                (bits >> 48));
+        numbers[i] = scale * (2 * sum + 4 - 4 * 65536);
     }
 }

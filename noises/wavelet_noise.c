@@ -5,8 +5,9 @@
 //
 //   n(p) = sum_j c_j b(2x - j_x) b(2y - j_y) b(2z - j_z),    c = s (r - P r)
 //
-// b is the quadratic B-spline, r standard normal, P the projection on the coarser splines, derived
-// in noises/wavelet_tile.h: the least squares over space, exact on the periodic tile.
+// b is the quadratic B-spline, r random of variance 1, nearly normal (bl_tile_numbers in
+// noises/tile.h), P the projection on the coarser splines, derived in noises/wavelet_tile.h: the
+// least squares over space, exact on the periodic tile.
 //
 // Units: two numbers a unit, so that the highest frequency of the numbers is 1 cycle a unit, and
 // the noise is one octave, about 1/2 to 1.
@@ -17,30 +18,28 @@
 //   size    numbers in the tile, a power of two from 8 on, one or one an axis; 0: 64 along each
 //           axis in two dimensions, 32 in three. In units, the period is half of it
 //   slice   none: the noise itself. A plane cut out of three-dimensional noise is not band-pass:
-//   all
-//           low frequencies are in it. projected (dims=3): along `normal` the kernel is
-//           b((2z - j)/2), twice as wide: the noise convolved along the normal so that its slices,
-//           for every z, have next to nothing below 1/2 again. It is the coarse spline itself, to
-//           which the noise is orthogonal wherever x, y and z stand on the coarse lattice
+//   the
+//           integral over f_z fills it, and 22 % of its variance is below |f| = 1/2. projected
+//           (dims=3): along `normal` the kernel is b((2z - j)/2), twice as wide, the coarse spline:
+//           the noise is convolved along the normal, so that slices at every z have 4.5 % there
 //   normal  x, y or z
 //
-// Variance 1, mean 0 over places and seeds: exact, from the spectrum of the projection. Bound: a
-// normal number is below 8.653 in size, |r - P r| at most (1 + gain of P) of it, and the kernel's
-// weights sum to 1 an axis (2 if wide); loose: values beyond 5 are rare. Period: the tile. Class:
-// C1, the knots stand a quarter and three quarters of a unit from the whole numbers.
-// Band: the numbers have no power at 0 and all frequencies that the coarse splines can carry; the
-// kernel, sinc^3, leaves images. Along an axis, 0 to 1 with the stated leak, exact. The spectrum is
-// that of a square, not of a ring: |f_x| or |f_y| or |f_z| is above about 1/2.
-// Known defects: not isotropic; cyclostationary, with the coarse lattice, one unit, as its cell;
-// the transition at 1/2 is that of a short spline, a third of an octave wide.
+// Variance 1, mean 0 over places and seeds: exact, from the spectrum of the projection. Bound: |r|
+// is below 3.4642, |r - P r| at most (1 + gain of P) of it, the gain the largest sum of sizes in a
+// row of P, and the kernel's weights sum to 1 an axis (2 if wide). Period: the tile. Class: C1,
+// with knots a quarter of a unit from the multiples of 1/2.
+// Band: the coarse splines take all power at 0 and half of it at 1/2; the kernel, sinc^3, leaves
+// images beyond 1. Along an axis, 0 to 1 with the stated leak, exact, -16.5 dB by default. In the
+// space of frequencies what is left is a cube without its inner cube, not a shell.
+// Known defects: not isotropic; cyclostationary, with the coarse lattice, one unit, as its cell.
 // No closed form of the kind that the analyses use, since it is periodic; tests hold the power of
 // each harmonic to the formula of noises/wavelet_tile.h.
 // NaN, infinity, and coordinates beyond 2^62 give NaN; 2^52 is where doubles lose the fraction.
 //
 // Source: cook2005. Deviations: the downsampling filter is derived here and exact, where the paper
-// prints one of 32 taps; odd-sized offsets that hide the lattice of even and odd numbers are left
-// out, so even and odd places differ in variance as they do in the formula above; numbers and
-// variance are scaled. `projected` takes normals along an axis only.
+// prints a table; random numbers are nearly normal; the paper's addition of a copy shifted by an
+// odd number, which evens out the variance of even and odd places, is left out, since the copy is
+// not free of the coarse part; the variance is 1; `projected` takes normals along an axis only.
 #include <stddef.h>
 
 #include "noises/common_parameters.h"

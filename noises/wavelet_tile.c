@@ -167,7 +167,7 @@ bl_status bl_wavelet_build(const bl_wavelet *settings, bl_tile *tile, bl_message
     if (!numbers)
         return bl_report(message, BL_DEVICE, "out of memory for a tile of %zu numbers", count);
     bl_random random = bl_random_seed(settings->tile.seed, 23);
-    bl_tile_normals(&random, numbers, count);
+    bl_tile_numbers(&random, numbers, count);
     bl_status status = bl_wavelet_remove_coarse(numbers, tile->size, message);
     if (status == BL_OK)
         status = bl_tile_make(tile, numbers, 1 / sqrt(bl_wavelet_variance(tile)), message);
@@ -175,8 +175,8 @@ bl_status bl_wavelet_build(const bl_wavelet *settings, bl_tile *tile, bl_message
     return status;
 }
 
-// The largest sum of sizes in a row of P along one axis. The rows are shifts by two of rows 0 and 1,
-// which are gathered from what P does to each single number.
+// The largest sum of sizes in a row of P along one axis. The rows are shifts by two of rows 0 and
+// 1, which are gathered from what P does to each single number.
 static double projection_gain(size_t n) {
     double *one = calloc(n, sizeof *one), *half = malloc(n / 2 * sizeof *half),
            *out = malloc(n * sizeof *out), even = 0, odd = 0;
@@ -204,10 +204,10 @@ void bl_wavelet_describe(const bl_wavelet *settings, const bl_tile *tile, bl_fac
             inside = fmin(inside, variance_of(tile, (int)a));
     }
     bl_tile_describe(tile, facts);
-    facts->upper = BL_TILE_NORMAL * (1 + gain) * weights / sqrt(all) * (1 + 0x1p-20);
+    facts->upper = BL_TILE_NUMBER * (1 + gain) * weights / sqrt(all) * (1 + 0x1p-20);
     facts->lower = -facts->upper;
     facts->bound_proof =
-        "random numbers below 8.653; the coarse part adds at most the largest sum "
+        "random numbers below 3.4642; the coarse part adds at most the largest sum "
         "of sizes in a row of the projection; weights sum to 1, or 2 if wide";
     facts->variance = 1;
     facts->band_from = 0;
