@@ -7,8 +7,8 @@
 // Parameters
 //   seed    64 bits, the seed of the basis, one for all octaves
 //   basis   any noise, with its settings as basis.KEY (but for seed); default gnoise
-//   min     frequency of the first octave, cells of the basis a unit, 1/256 to 65536; default 1
-//   max     octaves end below it, 1/256 to 65536; default 16; the sum is 0 if max <= min
+//   min     frequency of the first octave, cells of the basis a unit, 1/256 to 4096; default 1
+//   max     octaves end below it, 1/256 to 4096; default 16; the sum is 0 if max <= min
 //   width   units between samples, 0 to 1e30; default 0, which keeps all octaves
 //   clamp   fade, hard or none: how octaves beyond 1/(2 width) go (noises/octaves.h); what goes
 //           leaves the mean of the basis, which is 0 for most
@@ -28,7 +28,7 @@
 //
 // Known defects: lattice points of octaves coincide, and a zero of gnoise at all integers is one of
 // the sum; fbm has offsets, rotations and other ratios of frequency.
-// Source: peachey2003, p. 85 (fractalsum) and p. 89 (clamping). Deviations: those of the clamping,
+// Source: peachey2003, sections Spectral Synthesis (at figure 2.38) and Clamping. Deviations: those of the clamping,
 // in noises/octaves.h.
 #include <stddef.h>
 
@@ -52,7 +52,7 @@ static const bl_parameter parameters[] = {BL_OCTAVES_PARAMETERS(fractal_paramete
                                            .kind = BL_REAL,
                                            .offset = offsetof(fractal_parameters, least),
                                            .minimum = 1.0 / 256,
-                                           .maximum = 65536,
+                                           .maximum = 4096,
                                            .fallback = "1",
                                            .unit = "cells a unit",
                                            .help = "the frequency of the first octave"},
@@ -60,7 +60,7 @@ static const bl_parameter parameters[] = {BL_OCTAVES_PARAMETERS(fractal_paramete
                                            .kind = BL_REAL,
                                            .offset = offsetof(fractal_parameters, most),
                                            .minimum = 1.0 / 256,
-                                           .maximum = 65536,
+                                           .maximum = 4096,
                                            .fallback = "16",
                                            .unit = "cells a unit",
                                            .help = "octaves have frequencies below it"},
@@ -71,7 +71,7 @@ BL_NOISE_DESCRIPTOR(fractal_sum) = {
     .title = "fractal sum",
     .summary = "Octaves of a noise, each twice as fine and half as strong.",
     .formula = "n(p) = sum_{f = min, 2 min, ... < max} basis(p f) / f",
-    .paper = "peachey2003, p. 85",
+    .paper = "peachey2003, figure 2.38",
     .dimensions = 3,
     .dimensions_of = bl_octaves_dimensions,
     .parameters = parameters,

@@ -7,7 +7,7 @@
 // Parameters
 //   seed        64 bits
 //   basis       any noise, with its settings as basis.KEY (but for seed); default gnoise
-//   octaves     1 to 16; default 4
+//   octaves     1 to 12; default 4
 //   lacunarity  1 to 8; default 2. With 2, 4 and 8 lattice planes of octaves coincide; 2.17 is the
 //               text's; other numbers than powers of two cost rows their speed
 //   gain        0 to 1; default 1/2. With lacunarity^-H octaves add up to a spectrum of slope
@@ -33,7 +33,7 @@
 //
 // Known defects: with seeds=same and shift=none octaves meet at the origin; a lacunarity of 1 only
 // adds up noises of one frequency.
-// Source: peachey2003, p. 92 (lacunarity, amplitudes, and Worley's rotations). Deviations: fresh
+// Source: peachey2003, section Spectral Synthesis (at figure 2.40: lacunarity, amplitudes, Worley). Deviations: fresh
 // seeds, which the text does not have, are the default; shift and rotate are written from the idea.
 #include <stddef.h>
 
@@ -66,7 +66,7 @@ static const bl_parameter parameters[] = {
      .kind = BL_INTEGER,
      .offset = offsetof(fbm_parameters, octaves),
      .minimum = 1,
-     .maximum = 16,
+     .maximum = 12,
      .fallback = "4",
      .unit = "",
      .help = "how many"},
@@ -115,7 +115,7 @@ BL_NOISE_DESCRIPTOR(fractional_brownian_motion) = {
     .title = "fractional Brownian motion",
     .summary = "Octaves of a noise with any lacunarity and gain, each with its own numbers.",
     .formula = "n(p) = sum_i gain^i basis_i(R_i p f_i + o_i), f_i = lacunarity^i",
-    .paper = "peachey2003, p. 92",
+    .paper = "peachey2003, figure 2.40",
     .dimensions = 3,
     .dimensions_of = bl_octaves_dimensions,
     .parameters = parameters,

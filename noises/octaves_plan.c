@@ -7,7 +7,7 @@
 
 const char *const bl_octave_clamps[] = {"none", "hard", "fade", NULL};
 const char *const bl_octave_basis_examples[] = {"vnoise,basis.interp=linear",
-                                                "gnoise,basis.period=4,8,16", "scnoise", NULL};
+                                                "gnoise,basis.lattice=perm256", "scnoise", NULL};
 
 static void add(bl_octaves_plan *plan, double frequency, double amplitude) {
     plan->frequency[plan->count] = frequency;

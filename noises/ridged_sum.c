@@ -8,7 +8,7 @@
 //
 // Parameters
 //   seed, basis, width, clamp   as in fractalsum, of which see the head; one seed for all octaves
-//   octaves     1 to 16; default 4
+//   octaves     1 to 12; default 4
 //   lacunarity  1 to 8; default 2
 //   gain        0 to 4; default 2: how far an octave below its full height silences the next
 //   offset      1/2 to 2; default 1: the height of the ridges, where the basis crosses 0
@@ -53,7 +53,7 @@ static const bl_parameter parameters[] = {
      .kind = BL_INTEGER,
      .offset = offsetof(ridged_parameters, octaves),
      .minimum = 1,
-     .maximum = 16,
+     .maximum = 12,
      .fallback = "4",
      .unit = "",
      .help = "how many"},

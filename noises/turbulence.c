@@ -18,7 +18,7 @@
 // Class C0: the slope jumps wherever an octave crosses 0. Period: as for fractalsum, and a fold may
 // only shorten it for a basis whose half period is its negative.
 //
-// Source: peachey2003, p. 86 (turbulence) and p. 90 (with clamping). Deviations: the text removes
+// Source: peachey2003, section Spectral Synthesis (at figure 2.38), both versions. Deviations: the text removes
 // octaves to zero (lost=zero); that of the clamping in noises/octaves.h.
 #include <stddef.h>
 
@@ -46,7 +46,7 @@ static const bl_parameter parameters[] = {
      .kind = BL_REAL,
      .offset = offsetof(turbulence_parameters, least),
      .minimum = 1.0 / 256,
-     .maximum = 65536,
+     .maximum = 4096,
      .fallback = "1",
      .unit = "cells a unit",
      .help = "the frequency of the first octave"},
@@ -54,7 +54,7 @@ static const bl_parameter parameters[] = {
      .kind = BL_REAL,
      .offset = offsetof(turbulence_parameters, most),
      .minimum = 1.0 / 256,
-     .maximum = 65536,
+     .maximum = 4096,
      .fallback = "16",
      .unit = "cells a unit",
      .help = "octaves have frequencies below it"},
@@ -72,7 +72,7 @@ BL_NOISE_DESCRIPTOR(turbulence) = {
     .title = "turbulence",
     .summary = "Sizes of octaves of a noise, each twice as fine and half as strong.",
     .formula = "n(p) = sum_{f = min, 2 min, ... < max} |basis(p f)| / f",
-    .paper = "peachey2003, p. 86",
+    .paper = "peachey2003, figure 2.38",
     .dimensions = 3,
     .dimensions_of = bl_octaves_dimensions,
     .parameters = parameters,

@@ -277,6 +277,7 @@ static void test_the_gradient_is_the_derivative(void **state) {
     for (size_t i = 0; i < list->count; i++) {
         bl_signal *signal = bl_test_open(list->text[i], BL_ISA_BEST);
         int trials = signal->functions->gradient && signal->facts.continuity >= 0 ? 40 : 0;
+        int disagree = 0; // a kink within h of the place is allowed 3 times in 120
         for (int trial = 0; trial < trials; trial++) {
             double at[BL_AXES], gradient[BL_AXES] = {0};
             // Away from cell boundaries, where a C0 noise has no derivative.
@@ -284,13 +285,13 @@ static void test_the_gradient_is_the_derivative(void **state) {
                 at[a] = floor(20 * bl_random_unit(&random)) + 0.02 + 0.96 * bl_random_unit(&random);
             signal->functions->gradient(signal->parameters, at, gradient);
             for (unsigned a = 0; a < signal->dimensions; a++) {
-                // Octaves of high frequency have large derivatives, and kinks close by; one of the
-                // finer differences then agrees.
+                // Octaves of high frequency have large derivatives: a finer difference then agrees.
                 double limit = 1e-6 * fmax(1, fabs(gradient[a]));
                 double slope = central_difference(signal, at, a, 1e-5);
                 for (double h = 1e-6; h > 5e-8 && !(fabs(slope - gradient[a]) < limit); h /= 10)
                     slope = central_difference(signal, at, a, h);
-                if (!(fabs(slope - gradient[a]) < limit))
+                disagree += !(fabs(slope - gradient[a]) < limit);
+                if (disagree > (signal->facts.continuity == 0 ? 3 : 0))
                     fail_msg("%s: d/d%c = %.12g, differences %.12g", list->text[i], "xyzw"[a],
                              gradient[a], slope);
             }
