@@ -10,7 +10,7 @@
 //   A_0 = 0.3, A_{i+1} = 0.707 A_i;   x and y are the coordinates plus the text's offsets 13 and 96
 //
 // Parameters
-//   seed    0: the text's place; any other moves the place by up to 2^20 units along each axis.
+//   seed    0: the text's place; any other moves the place by up to 2^10 units along each axis.
 //           There is nothing else to draw: it is one function
 //   terms   1 to 8; default 5, the text's
 //   width   units between samples, 0 to 1e30; default 0, which keeps all terms
@@ -90,8 +90,8 @@ static gardner_terms terms_of(const gardner_parameters *p) {
         terms.lost = (double)(float)terms.lost; // one number in float and in double
     if (p->seed) {
         bl_random random = bl_random_seed(p->seed, 0);
-        terms.x += floor(0x1p40 * bl_random_unit(&random)) * 0x1p-20;
-        terms.y += floor(0x1p40 * bl_random_unit(&random)) * 0x1p-20;
+        terms.x += floor(0x1p30 * bl_random_unit(&random)) * 0x1p-20;
+        terms.y += floor(0x1p30 * bl_random_unit(&random)) * 0x1p-20;
     }
     return terms;
 }

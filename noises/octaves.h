@@ -18,8 +18,8 @@
 // An octave of weight 0 is not evaluated. What an octave loses goes to its mean:
 // F becomes k F + (1 - k) E[F]. Width 0 keeps all octaves, and so does any width so small that all
 // of them lie below half the limit; a huge or infinite width keeps none and leaves the constant
-// mean. The fade is that of peachey2003, section Clamping, but for one thing: the text's cutoff is the
-// smaller of the Nyquist limit and MAXFREQ, which may fade the last octave at any width.
+// mean. The fade is that of peachey2003, section Clamping, but for one thing: the text's cutoff is
+// the smaller of the Nyquist limit and MAXFREQ, which may fade the last octave at any width.
 //
 // E[F] is the basis's stated mean where F is the identity and the mean is stated; else it is
 // measured when the sum is opened, from 32 fresh seeds, 4096 random places each, the same for every

@@ -76,8 +76,8 @@ static int jumps(const double *value, size_t count, unsigned order) {
     double size = 0, fine = largest_difference(value, count, 1, order);
     for (size_t i = 0; i < count; i++)
         size = fmax(size, fabs(value[i]));
-    // The sum of the binomials is 16 at most; 64 is for the rounding of phases and places.
-    return fine > 64 * 16 * 0x1p-52 * size &&
+    // The sum of the binomials is 16 at most; 256 is for the rounding of phases and places.
+    return fine > 256 * 16 * 0x1p-52 * size &&
            !(largest_difference(value, count, FINER, order) > sqrt(FINER) * fine);
 }
 
