@@ -22,7 +22,8 @@ typedef struct bl_noise {
     const bl_parameter *parameters;
     size_t parameters_size; // of the flat parameter block
     size_t seed_offset;
-    // Optional: the dimensions with these parameters; NULL: always those above.
+    // Optional: the dimensions with these parameters, and with what functions.build made of them;
+    // NULL: always those above.
     unsigned (*dimensions_of)(const void *parameters);
     // Optional: whether the parameters fit together; the message names the keys. Errors: BL_USAGE.
     bl_status (*validate)(const void *parameters, bl_message *message);

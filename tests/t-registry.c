@@ -37,8 +37,10 @@ static void test_every_setting_states_its_facts(void **state) {
     for (size_t i = 0; i < list->count; i++) {
         bl_signal *signal = bl_test_open(list->text[i], BL_ISA_BEST);
         const bl_facts *facts = &signal->facts;
-        if (!(facts->lower < facts->upper && facts->bound_proof && isfinite(facts->mean) &&
-              facts->continuity >= -1 && facts->period[0] >= 0 && facts->far > 0x1p31))
+        // A mean may be unknown; a signal of variance 0 says that it is a constant.
+        if (!(facts->lower <= facts->upper && (facts->lower < facts->upper || !facts->variance) &&
+              facts->bound_proof && !isinf(facts->mean) && facts->continuity >= -1 &&
+              facts->period[0] >= 0 && facts->far > 0x1p31))
             fail_msg("%s: incomplete facts", list->text[i]);
         if (signal->closed_form &&
             !(facts->variance >= 0 && facts->covariance_reach > 0 && facts->band_to > 0))
@@ -186,6 +188,8 @@ static void test_bad_coordinates_give_nan(void **state) {
     }
 }
 
+// The domain ends at 2^62, or before it for a noise that scales its coordinates up, which then also
+// loses its fraction the earlier.
 static void test_a_row_that_leaves_the_domain_ends_in_nan(void **state) {
     (void)state;
     const bl_texts *list = bl_test_texts();
@@ -194,8 +198,12 @@ static void test_a_row_that_leaves_the_domain_ends_in_nan(void **state) {
         float out[64];
         double start[BL_AXES] = {0.5, 0.5, 0.5, 0}, step[BL_AXES] = {0x1p58, 0, 0, 0};
         bl_signal_row(signal, start, step, 64, out);
-        for (int k = 0; k < 64; k++)
-            assert_int_equal(isnan(out[k]) != 0, k >= 16);
+        double scale = signal->facts.far * 0x1p-52, sure = scale < 1 ? 0x1p61 * scale : 0x1p62;
+        for (int k = 0; k < 64; k++) {
+            int beyond = k >= 16 || (k > 0 && isnan(out[k - 1]));
+            if (beyond || 0.5 + k * 0x1p58 < sure)
+                assert_int_equal(isnan(out[k]) != 0, beyond);
+        }
         bl_signal_free(signal);
     }
 }
@@ -250,6 +258,18 @@ static void test_a_point_in_another_batch_has_the_same_bits(void **state) {
     }
 }
 
+// Of fourth order: the error is h^4/30 times a fifth derivative.
+static double central_difference(const bl_signal *signal, const double at[BL_AXES], unsigned axis,
+                                 double h) {
+    double value[5], place[BL_AXES];
+    memcpy(place, at, sizeof place);
+    for (int i = 0; i < 5; i++) {
+        place[axis] = at[axis] + (i - 2) * h;
+        value[i] = bl_signal_value(signal, place);
+    }
+    return (8 * (value[3] - value[1]) - (value[4] - value[0])) / (12 * h);
+}
+
 static void test_the_gradient_is_the_derivative(void **state) {
     (void)state;
     const bl_texts *list = bl_test_texts();
@@ -257,6 +277,7 @@ static void test_the_gradient_is_the_derivative(void **state) {
     for (size_t i = 0; i < list->count; i++) {
         bl_signal *signal = bl_test_open(list->text[i], BL_ISA_BEST);
         int trials = signal->functions->gradient && signal->facts.continuity >= 0 ? 40 : 0;
+        int disagree = 0; // a kink within h of the place is allowed 3 times in 120
         for (int trial = 0; trial < trials; trial++) {
             double at[BL_AXES], gradient[BL_AXES] = {0};
             double cell = signal->facts.cell > 0 ? signal->facts.cell : 1;
@@ -266,15 +287,13 @@ static void test_the_gradient_is_the_derivative(void **state) {
                                 0.96 * bl_random_unit(&random));
             signal->functions->gradient(signal->parameters, at, gradient);
             for (unsigned a = 0; a < signal->dimensions; a++) {
-                double h = 1e-5, up[BL_AXES], down[BL_AXES];
-                memcpy(up, at, sizeof up);
-                memcpy(down, at, sizeof down);
-                up[a] += h;
-                down[a] -= h;
-                double slope =
-                    (bl_signal_value(signal, up) - bl_signal_value(signal, down)) / (2 * h);
-                // Central differences: h^2/6 of a third derivative of a few hundred at most.
-                if (!(fabs(slope - gradient[a]) < 1e-6))
+                // Octaves of high frequency have large derivatives: a finer difference then agrees.
+                double limit = 1e-6 * fmax(1, fabs(gradient[a]));
+                double slope = central_difference(signal, at, a, 1e-5);
+                for (double h = 1e-6; h > 5e-8 && !(fabs(slope - gradient[a]) < limit); h /= 10)
+                    slope = central_difference(signal, at, a, h);
+                disagree += !(fabs(slope - gradient[a]) < limit);
+                if (disagree > (signal->facts.continuity == 0 ? 3 : 0))
                     fail_msg("%s: d/d%c = %.12g, differences %.12g", list->text[i], "xyzw"[a],
                              gradient[a], slope);
             }

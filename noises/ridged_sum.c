@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+//
+// ridged: a multifractal sum of ridges, each octave weighted by the one before, after Musgrave.
+//
+//   n(p) = sum over i = 0 .. octaves-1 of  s_i / f_i,   f_i = lacunarity^i
+//   s_i  = w_i (offset - |basis(p f_i)|)^2
+//   w_0  = 1,   w_i = min(1, gain s_{i-1})
+//
+// Parameters
+//   seed, basis, width, clamp   as in fractalsum, of which see the head; one seed for all octaves
+//   octaves     1 to 12; default 4
+//   lacunarity  1 to 8; default 2
+//   gain        0 to 4; default 2: how far an octave below its full height silences the next
+//   offset      1/2 to 2; default 1: the height of the ridges, where the basis crosses 0
+//
+// Clamping. A removed octave has its mean height E (offset - |basis|)^2, measured on opening
+// (noises/octaves.h), instead of its ridges, and still the weight of the octave before. That keeps
+// the mean of the first removed octave, if it does not depend on the one before; those after
+// it lose the small difference between the mean of a weight and the weight of a mean.
+//
+// Units and domain are those of fractalsum. Bound: between 0 and the sum of 1/f_i times the larger
+// of offset^2 and (offset - bound of the basis)^2, because the square is convex and weights are 1
+// at most. Mean, variance, band: not stated. Class C0: the crest of a ridge is a kink, and so is
+// the place where a weight reaches 1. Period: that of the basis, as for fbm.
+//
+// Source: F. K. Musgrave's ridged multifractal, chapter 16 of the book of peachey2003, from memory
+// of its formula; peachey2003 itself has none. Deviation: the exponent of its amplitudes,
+// f^-H, is fixed at H = 1.
+#include <stddef.h>
+
+#include "noises/noise.h"
+#include "noises/octaves_kernel.h"
+
+typedef struct ridged_parameters {
+    bl_octaves_settings sum;
+    double lacunarity, gain, offset;
+    uint32_t octaves;
+} ridged_parameters;
+
+static bl_status build(void *block, bl_message *message) {
+    ridged_parameters *p = block;
+    bl_octaves_plan plan = bl_octaves_plan_count(p->octaves, p->lacunarity, 1 / p->lacunarity);
+    const bl_octaves_rules rules = {
+        .fold = BL_FOLD_RIDGE, .ridge_offset = p->offset, .ridge_gain = p->gain};
+    return bl_octaves_build(&p->sum, &plan, &rules, BL_THIS_ISA, message);
+}
+
+static const char *const lacunarities[] = {"2.17", NULL};
+
+static const bl_parameter parameters[] = {
+    BL_OCTAVES_PARAMETERS(ridged_parameters, sum),
+    {.key = "octaves",
+     .kind = BL_INTEGER,
+     .offset = offsetof(ridged_parameters, octaves),
+     .minimum = 1,
+     .maximum = 12,
+     .fallback = "4",
+     .unit = "",
+     .help = "how many"},
+    {.key = "lacunarity",
+     .kind = BL_REAL,
+     .offset = offsetof(ridged_parameters, lacunarity),
+     .minimum = 1,
+     .maximum = 8,
+     .fallback = "2",
+     .unit = "",
+     .help = "the ratio of the frequencies of neighbouring octaves",
+     .examples = lacunarities},
+    {.key = "gain",
+     .kind = BL_REAL,
+     .offset = offsetof(ridged_parameters, gain),
+     .minimum = 0,
+     .maximum = 4,
+     .fallback = "2",
+     .unit = "",
+     .help = "of an octave as the weight of the next"},
+    {.key = "offset",
+     .kind = BL_REAL,
+     .offset = offsetof(ridged_parameters, offset),
+     .minimum = 0.5,
+     .maximum = 2,
+     .fallback = "1",
+     .unit = "",
+     .help = "the height of a ridge, before it is squared"},
+    {.key = NULL}};
+
+BL_NOISE_DESCRIPTOR(ridged_sum) = {
+    .name = "ridged",
+    .title = "ridged multifractal",
+    .summary = "Octaves of squared ridges, each weighted by the one before.",
+    .formula = "n(p) = sum_i s_i / f_i, s_i = min(1, gain s_{i-1}) (offset - |basis(p f_i)|)^2",
+    .paper = "peachey2003, chapter 16 of its book",
+    .dimensions = 3,
+    .dimensions_of = bl_octaves_dimensions,
+    .parameters = parameters,
+    .parameters_size = sizeof(ridged_parameters),
+    .seed_offset = offsetof(ridged_parameters, sum.seed),
+    .describe = bl_octaves_describe,
+    .functions = {.row = bl_octaves_row,
+                  .points = bl_octaves_points,
+                  .value = bl_octaves_value,
+                  .gradient = bl_octaves_gradient,
+                  .build = build,
+                  .release = bl_octaves_release},
+};
