@@ -58,16 +58,6 @@ static void report_text(bl_call *call, const bl_signal *signal, const bl_psd *ps
                 limit->needed_averages);
 }
 
-// Whether a bin other than that of frequency 0, which holds only what is left of the mean, lies
-// wholly outside of the band and its guard.
-static int has_outside(const bl_psd *psd, const bl_band_limit *limit) {
-    for (size_t i = 1; i < psd->count; i++)
-        if (psd->frequency[i] + psd->width[i] / 2 <= limit->from - limit->guard ||
-            psd->frequency[i] - psd->width[i] / 2 >= limit->to + limit->guard)
-            return 1;
-    return 0;
-}
-
 // A verdict needs a variance, and frequencies on both sides: in the band and outside of it.
 static bl_status judgeable(const bl_psd *psd, const bl_band_limit *limit, bl_message *message) {
     static const char remedy[] = "sample more finely (--rate; of an image spacing=)";
@@ -80,7 +70,7 @@ static bl_status judgeable(const bl_psd *psd, const bl_band_limit *limit, bl_mes
                          "the band %g : %g begins beyond the highest frequency measured, %g cycles "
                          "per unit; %s, or move --band",
                          limit->from, limit->to, nyquist, remedy);
-    if (!has_outside(psd, limit))
+    if (!bl_psd_has_outside(psd, limit))
         return bl_report(message, BL_MISMATCH,
                          "nothing is left to judge outside of the band %g : %g with a guard of "
                          "%.3g: frequencies were measured up to %g cycles per unit; %s, or narrow "
