@@ -23,6 +23,10 @@
 
 static const double CLAIM_MARGIN_DB = 1;
 static const double SMOOTHING = 0.05; // cycles per unit each way
+// Of a line, in units. Its guard is then 4/128, which hides little of a density that falls steeply
+// at the edge; and the lines are short, because all of a line shares its place in the cell, so that
+// only fresh lines tell more.
+static const double LENGTH = 128;
 static const double IDEAL_TO = 1, IDEAL_LEAK_DB = -30;
 
 typedef struct direction {
@@ -74,11 +78,12 @@ static bl_psd_settings settings_for(const bl_signal *signal, const bl_score_sett
         psd.rate = rate_for(8, band_to);
         psd.size = settings->size == 0 ? 256 : 512;
         psd.averages = (size_t)bl_score_pick(settings, 4, 16, 128);
-    } else { // 64 units long, unless the band is so wide that this takes too many samples
-        double most = bl_score_pick(settings, 4096, 16384, 16384);
-        psd.rate = rate_for(16, band_to);
-        psd.size = (size_t)fmin(64 * psd.rate, most);
-        psd.averages = (size_t)bl_score_pick(settings, 128, 512, 8192);
+    } else { // LENGTH units long, unless the band is so wide that this takes too many samples
+        psd.rate = rate_for(bl_score_pick(settings, 8, 16, 16), band_to);
+        psd.size = (size_t)fmin(LENGTH * psd.rate, bl_score_pick(settings, 4096, 16384, 16384));
+        psd.averages = (size_t)bl_score_pick(settings, 256, 1024, 8192);
+        if (which == ALONG_DIAGONAL) // which is not judged
+            psd.averages /= 4;
     }
     return psd;
 }
