@@ -91,6 +91,8 @@ static void print_reasons(bl_call *call, const bl_scorecard *card) {
         fputc('\n', call->out);
         any = 1;
     }
+    if (any)
+        fputc('\n', call->out);
 }
 
 void bl_score_table_print(bl_call *call, const bl_scorecard *cards, size_t count,

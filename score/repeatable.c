@@ -274,7 +274,7 @@ static void judge(trial *t, size_t scales, bl_score_property *result) {
     bl_score_add_seen(result, "error_of_points", t->point_error);
     bl_score_add_seen(result, "rows_against_points", t->route_error);
     bl_score_add_exact(result, "error_allowed", allowed);
-    snprintf(result->cell, sizeof result->cell, "%.1e", worst);
+    snprintf(result->cell, sizeof result->cell, worst > 0 ? "%.0e" : "%g", worst);
     if (worst > allowed && t->route_error > allowed)
         bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_CLAIM,
                        "a row and the same places as points differ by %.3g at %s; %.3g is allowed",
