@@ -96,12 +96,12 @@ static void test_properties_are_chosen_by_name(void **state) {
 
 static void test_strict_counts_the_ideal(void **state) {
     (void)state;
-    // Three pixels to a cell that are said to be four: all frequencies are a third too high.
+    // 3.7 pixels to a cell that are said to be five: all frequencies are a third too high.
     const char *image = bl_test_path("strict.exr");
     char text[300];
     EXPECT(0, "256 x 256", "render", "vnoise:interp=linear", "--width", "256", "--height", "256",
-           "--scale", "85", "-o", image);
-    snprintf(text, sizeof text, "%s:spacing=0.25", image);
+           "--scale", "70", "-o", image);
+    snprintf(text, sizeof text, "%s:spacing=0.2", image);
     EXPECT(0, "band: fail against the ideal", "score", text, "--quick", "--only", "band");
     EXPECT(2, "band: fail against the ideal", "score", text, "--quick", "--only", "band",
            "--strict");

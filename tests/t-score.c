@@ -365,6 +365,7 @@ static void test_mean_and_variance_fail_as_often_as_alpha_says(void **state) {
     (void)state;
     size_t runs = bl_test_scaled(60, 20), failed = 0;
     bl_score_settings settings = quick(0.1);
+    settings.threads = 1;
     bl_signal *hat = bl_test_hat(1);
     hat->dimensions = 1;
     hat->facts.mean = 0;
@@ -384,6 +385,7 @@ static void test_a_true_leak_fails_as_often_as_alpha_says(void **state) {
     (void)state;
     size_t runs = bl_test_scaled(60, 20), failed = 0, passed = 0;
     bl_score_settings settings = quick(0.1);
+    settings.threads = 1;
     bl_signal *hat = bl_test_hat(1);
     hat->dimensions = 1;
     bl_psd_settings line = bl_psd_default_settings(1);
