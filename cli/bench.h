@@ -4,7 +4,7 @@
 #ifndef BL_CLI_BENCH_H
 #define BL_CLI_BENCH_H
 
-#include "cli/bench_clock.h"
+#include "core/clock.h"
 #include "cli/verb.h"
 
 // What one row says. NAN stands for what does not apply.

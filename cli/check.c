@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The verb `check`: does a signal keep to its band? The exit status is the verdict.
+// The verb `check`: does a signal keep to its band, or to all it claims? The exit status is the
+// verdict.
 #include <math.h>
 
+#include "cli/claims.h"
 #include "cli/json.h"
 #include "cli/spectral.h"
 #include "cli/verb.h"
@@ -11,7 +13,8 @@
 typedef struct check_settings {
     bl_spectral spectral;
     const char *band;
-    double leak_db, guard;
+    double leak_db, guard, alpha;
+    int claims;
 } check_settings;
 
 static void print_db(FILE *out, const char *name, double db) {
@@ -58,16 +61,6 @@ static void report_text(bl_call *call, const bl_signal *signal, const bl_psd *ps
                 limit->needed_averages);
 }
 
-// Whether a bin other than that of frequency 0, which holds only what is left of the mean, lies
-// wholly outside of the band and its guard.
-static int has_outside(const bl_psd *psd, const bl_band_limit *limit) {
-    for (size_t i = 1; i < psd->count; i++)
-        if (psd->frequency[i] + psd->width[i] / 2 <= limit->from - limit->guard ||
-            psd->frequency[i] - psd->width[i] / 2 >= limit->to + limit->guard)
-            return 1;
-    return 0;
-}
-
 // A verdict needs a variance, and frequencies on both sides: in the band and outside of it.
 static bl_status judgeable(const bl_psd *psd, const bl_band_limit *limit, bl_message *message) {
     static const char remedy[] = "sample more finely (--rate; of an image spacing=)";
@@ -80,7 +73,7 @@ static bl_status judgeable(const bl_psd *psd, const bl_band_limit *limit, bl_mes
                          "the band %g : %g begins beyond the highest frequency measured, %g cycles "
                          "per unit; %s, or move --band",
                          limit->from, limit->to, nyquist, remedy);
-    if (!has_outside(psd, limit))
+    if (!bl_psd_has_outside(psd, limit))
         return bl_report(message, BL_MISMATCH,
                          "nothing is left to judge outside of the band %g : %g with a guard of "
                          "%.3g: frequencies were measured up to %g cycles per unit; %s, or narrow "
@@ -106,6 +99,8 @@ static bl_status run_check(bl_call *call) {
     bl_band_limit limit = {.limit_db = settings->leak_db};
     bl_signal *signal;
     bl_psd psd;
+    if (settings->claims)
+        return bl_check_claims(call, settings->alpha);
     bl_status status =
         bl_read_range("band", settings->band, 1, &limit.from, &limit.to, &call->message);
     if (status == BL_OK && limit.from < 0)
@@ -155,6 +150,20 @@ static const bl_option options[] = {
      .help = "cycles per unit beyond both edges that are not judged; -1: half the main lobe of the "
              "window, which smears power from just inside the edge"},
     BL_SPECTRAL_OPTIONS(check_settings),
+    {.name = "claims",
+     .kind = BL_OPTION_FLAG,
+     .offset = offsetof(check_settings, claims),
+     .help = "check everything that the signal states of itself, by the scorecard, in place of a "
+             "band; of the other options only --alpha counts"},
+    {.name = "alpha",
+     .kind = BL_OPTION_REAL,
+     .offset = offsetof(check_settings, alpha),
+     .value = "P",
+     .fallback = "1e-6",
+     .minimum = 1e-12,
+     .maximum = 0.5,
+     .help = "--claims: probability that a signal that keeps all its claims shows a failure by "
+             "chance"},
     {0}};
 
 const bl_verb bl_verb_check = {
@@ -166,7 +175,9 @@ const bl_verb bl_verb_check = {
         "upper confidence limit is below the leak allowed; fail (2): its lower limit is above; "
         "inconclusive (1): the limits straddle it, and the averages needed are told. Where there "
         "is nothing to judge, because the signal is constant, or no frequency that was measured "
-        "lies in the band or outside of it and its guard, it is an error (3).",
+        "lies in the band or outside of it and its guard, it is an error (3). With --claims "
+        "the range, the mean, the variance, the band and all else that the signal states are "
+        "judged, a line a claim; a signal that states nothing is an error (3).",
     .least = 1,
     .most = 1,
     .output = BL_OUTPUT_DATA,

@@ -14,7 +14,7 @@ _bandlimit_keys() {
 
 _bandlimit() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
-    local verbs="list show eval render spectrum histogram check compare reproduce bench help version"
+    local verbs="list show eval render spectrum histogram check score compare reproduce bench help version"
     local common="--json -o --output --seed --threads --quick --full --isa -q --quiet -h --help
         --version"
     local spectral="--dims --axis --rate --size --average --window --place --level"
@@ -39,10 +39,16 @@ _bandlimit() {
         ;;
     --format) COMPREPLY=($(compgen -W "svg pdf" -- "$current")) ;;
     --components) COMPREPLY=($(compgen -W "1 2 3 4" -- "$current")) ;;
+    --only | --skip)
+        prefix=""
+        [[ $current == *,* ]] && prefix=${current%,*},
+        COMPREPLY=($(compgen -P "$prefix" -W "repeatable range band period stationarity isotropy
+            continuity seeds far gradient cost" -- "${current##*,}"))
+        ;;
     --bits) COMPREPLY=($(compgen -W "8 16" -- "$current")) ;;
     -o | --output) COMPREPLY=($(compgen -f -- "$current")) ;;
     --seed | --threads | --rate | --size | --average | --level | --band | --leak | --guard | \
-        --autocorrelation | --samples | --bins | --range | --width | --height | --scale | --at) return ;;
+        --autocorrelation | --alpha | --samples | --bins | --range | --width | --height | --scale | --at) return ;;
     esac
     [[ ${#COMPREPLY[@]} -gt 0 ]] && return
 
@@ -94,7 +100,11 @@ _bandlimit() {
         words=$(_bandlimit_names noises) files=yes
         ;;
     check)
-        options="$spectral --band --leak --guard"
+        options="$spectral --band --leak --guard --claims --alpha"
+        words=$(_bandlimit_names noises) files=yes
+        ;;
+    score)
+        options="--all --only --skip --strict --alpha"
         words=$(_bandlimit_names noises) files=yes
         ;;
     compare)

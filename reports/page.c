@@ -12,35 +12,8 @@
 
 #include "core/file.h"
 #include "core/version.h"
+#include "reports/html.h"
 #include "reports/output.h"
-
-// Text for an element or for an attribute in double quotes.
-static void put_text(FILE *out, const char *text) {
-    for (; *text; text++) {
-        switch (*text) {
-        case '&':
-            fputs("&amp;", out);
-            break;
-        case '<':
-            fputs("&lt;", out);
-            break;
-        case '>':
-            fputs("&gt;", out);
-            break;
-        case '"':
-            fputs("&quot;", out);
-            break;
-        default:
-            fputc(*text, out);
-        }
-    }
-}
-
-static void put_tagged(FILE *out, const char *open, const char *text, const char *close) {
-    fputs(open, out);
-    put_text(out, text);
-    fputs(close, out);
-}
 
 static void put_base64(FILE *out, FILE *in) {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -63,12 +36,12 @@ static void put_key(FILE *out, const bl_run_picture *plot) {
         [BL_STROKE_LINE] = "line", [BL_STROKE_THIN] = "line",     [BL_STROKE_DASHED] = "dash",
         [BL_STROKE_BAND] = "band", [BL_STROKE_POINTS] = "points",
     };
-    put_tagged(out, "<p class=\"key\"><b>", plot->title, "</b>");
+    bl_html_tagged(out, "<p class=\"key\"><b>", plot->title, "</b>");
     for (size_t i = 0; i < plot->key_count; i++) {
         const bl_run_key *key = &plot->keys[i];
         fprintf(out, " <span><i class=\"%s\" style=\"color:%s\"></i>", shapes[key->stroke],
                 bl_ink_colour(key->ink));
-        put_tagged(out, "", key->label, "</span>");
+        bl_html_tagged(out, "", key->label, "</span>");
     }
     fputs("</p>", out);
 }
@@ -85,10 +58,10 @@ static bl_status put_picture(FILE *out, const char *folder, const bl_run_picture
     if (in) {
         fputs("<figure class=\"plot\"><div class=\"sheet\">", out);
         put_key(out, plot);
-        put_tagged(out, "<div class=\"scroll\" tabindex=\"0\"><img alt=\"", plot->text,
-                   "\" src=\"data:image/svg+xml;base64,");
+        bl_html_tagged(out, "<div class=\"scroll\" tabindex=\"0\"><img alt=\"", plot->text,
+                       "\" src=\"data:image/svg+xml;base64,");
         put_base64(out, in);
-        put_tagged(out, "\"></div></div><figcaption>", plot->text, "</figcaption></figure>\n");
+        bl_html_tagged(out, "\"></div></div><figcaption>", plot->text, "</figcaption></figure>\n");
         fclose(in);
     }
     free(path);
@@ -110,7 +83,7 @@ static void put_verdict(FILE *out, bl_verdict verdict) {
 }
 
 static void put_unit(FILE *out, const bl_claim *claim) {
-    put_tagged(out, claim->unit[0] ? " " : "", claim->unit, "");
+    bl_html_tagged(out, claim->unit[0] ? " " : "", claim->unit, "");
 }
 
 static void put_expected(FILE *out, const bl_claim *claim) {
@@ -150,12 +123,12 @@ static int same_sentence(const bl_claim *a, const bl_claim *b) {
 // A row that names the claim, then one row for each reading of it.
 static void put_claim(FILE *out, const bl_claim *claim, int first) {
     if (first) {
-        put_tagged(out, "<tr class=\"claim\"><th colspan=\"6\" scope=\"rowgroup\">",
-                   claim->sentence, "");
-        put_tagged(out, " <span>", claim->source, "</span></th></tr>\n");
+        bl_html_tagged(out, "<tr class=\"claim\"><th colspan=\"6\" scope=\"rowgroup\">",
+                       claim->sentence, "");
+        bl_html_tagged(out, " <span>", claim->source, "</span></th></tr>\n");
     }
-    put_tagged(out, "<tr><td data-label=\"reading\"><span>", claim->reading,
-               "</span></td><td data-label=\"expected\"><span>");
+    bl_html_tagged(out, "<tr><td data-label=\"reading\"><span>", claim->reading,
+                   "</span></td><td data-label=\"expected\"><span>");
     put_expected(out, claim);
     fputs("</span></td><td class=\"number\" data-label=\"measured\"><span>", out);
     put_measured(out, claim);
@@ -163,7 +136,7 @@ static void put_claim(FILE *out, const bl_claim *claim, int first) {
     put_interval(out, claim);
     fprintf(out, "</span></td><td class=\"number\" data-label=\"samples\"><span>%.10g ",
             claim->measured.samples);
-    put_tagged(out, "", claim->counted ? claim->counted : "", "");
+    bl_html_tagged(out, "", claim->counted ? claim->counted : "", "");
     fputs("</span></td><td data-label=\"verdict\">", out);
     put_verdict(out, claim->verdict);
     fputs("</td></tr>\n", out);
@@ -185,8 +158,8 @@ static void put_claims(FILE *out, const bl_figure_result *result) {
 static void put_words(FILE *out, const bl_term *words) {
     fputs("<dl>\n", out);
     for (; words->name; words++) {
-        put_tagged(out, "<dt>", words->name, "</dt>");
-        put_tagged(out, "<dd>", words->meaning, "</dd>\n");
+        bl_html_tagged(out, "<dt>", words->name, "</dt>");
+        bl_html_tagged(out, "<dd>", words->meaning, "</dd>\n");
     }
     fputs("</dl>\n", out);
 }
@@ -194,8 +167,8 @@ static void put_words(FILE *out, const bl_term *words) {
 static void put_settings(FILE *out, const bl_run_view *view) {
     fputs("<h3>Settings</h3>\n<dl>\n", out);
     for (size_t i = 0; i < view->setting_count; i++) {
-        put_tagged(out, "<dt>", view->settings[i].name, "</dt>");
-        put_tagged(out, "<dd>", view->settings[i].text, "</dd>\n");
+        bl_html_tagged(out, "<dt>", view->settings[i].name, "</dt>");
+        bl_html_tagged(out, "<dd>", view->settings[i].text, "</dd>\n");
     }
     fputs("</dl>\n", out);
 }
@@ -203,9 +176,9 @@ static void put_settings(FILE *out, const bl_run_view *view) {
 static void put_files(FILE *out, const bl_figure_result *result) {
     fputs("<h3>Files</h3>\n<ul class=\"files\">\n", out);
     for (size_t i = 0; i < result->file_count; i++) {
-        put_tagged(out, "<li><a href=\"", result->figure->name, "/");
-        put_tagged(out, "", result->files[i], "\">");
-        put_tagged(out, "", result->files[i], "</a></li>\n");
+        bl_html_tagged(out, "<li><a href=\"", result->figure->name, "/");
+        bl_html_tagged(out, "", result->files[i], "\">");
+        bl_html_tagged(out, "", result->files[i], "</a></li>\n");
     }
     fputs("</ul>\n", out);
 }
@@ -213,12 +186,12 @@ static void put_files(FILE *out, const bl_figure_result *result) {
 static bl_status put_figure(FILE *out, const bl_run_view *view, bl_message *message) {
     const bl_figure_result *result = view->result;
     const bl_figure *figure = result->figure;
-    put_tagged(out, "<section id=\"", figure->name, "\">\n<p class=\"soft\">");
-    put_tagged(out, "", figure->name, " &middot; ");
-    put_tagged(out, "", figure->title, " &middot; after ");
-    put_tagged(out, "", figure->paper, "</p>\n");
-    put_tagged(out, "<h2>", figure->question, "</h2>\n");
-    put_tagged(out, "<p>", figure->shows, "</p>\n");
+    bl_html_tagged(out, "<section id=\"", figure->name, "\">\n<p class=\"soft\">");
+    bl_html_tagged(out, "", figure->name, " &middot; ");
+    bl_html_tagged(out, "", figure->title, " &middot; after ");
+    bl_html_tagged(out, "", figure->paper, "</p>\n");
+    bl_html_tagged(out, "<h2>", figure->question, "</h2>\n");
+    bl_html_tagged(out, "<p>", figure->shows, "</p>\n");
     for (size_t i = 0; i < view->plot_count; i++) {
         bl_status status = put_picture(out, result->folder, &view->plots[i], message);
         if (status != BL_OK)
@@ -244,15 +217,15 @@ static void put_finding(FILE *out, const bl_figure_result *result, size_t from, 
     size_t failing = 0;
     for (size_t i = from; i < to; i++)
         failing += (size_t)fails(&result->claims[i]);
-    put_tagged(out, "<li>", result->claims[from].sentence, " <span class=\"soft\">");
-    put_tagged(out, "", result->claims[from].source, "</span>\n<ul>\n");
+    bl_html_tagged(out, "<li>", result->claims[from].sentence, " <span class=\"soft\">");
+    bl_html_tagged(out, "", result->claims[from].source, "</span>\n<ul>\n");
     for (size_t i = from; i < to; i++) {
         const bl_claim *claim = &result->claims[i];
         if (!fails(claim))
             continue;
         fputs("<li>", out);
         put_verdict(out, claim->verdict);
-        put_tagged(out, " ", claim->reading, ": ");
+        bl_html_tagged(out, " ", claim->reading, ": ");
         put_measured(out, claim);
         fputs(", interval ", out);
         put_interval(out, claim);
@@ -263,8 +236,8 @@ static void put_finding(FILE *out, const bl_figure_result *result, size_t from, 
     fputs("</ul>\n", out);
     if (failing < to - from)
         fprintf(out, "<span class=\"soft\">%zu of %zu readings</span> ", failing, to - from);
-    put_tagged(out, "<a href=\"#", result->figure->name, "\">");
-    put_tagged(out, "", result->figure->name, "</a></li>\n");
+    bl_html_tagged(out, "<a href=\"#", result->figure->name, "\">");
+    bl_html_tagged(out, "", result->figure->name, "</a></li>\n");
 }
 
 // The claims that somebody should read first, each with a link to its figure.
@@ -319,9 +292,10 @@ static void put_tally(FILE *out, const bl_run_view *views, size_t count) {
 static void put_contents(FILE *out, const bl_run_view *views, size_t count) {
     fputs("<nav aria-label=\"Figures\"><ol>\n", out);
     for (size_t f = 0; f < count; f++) {
-        put_tagged(out, "<li><a href=\"#", views[f].result->figure->name, "\">");
-        put_tagged(out, "", views[f].result->figure->question, "</a> ");
-        put_tagged(out, "<span class=\"soft\">", views[f].result->figure->name, "</span></li>\n");
+        bl_html_tagged(out, "<li><a href=\"#", views[f].result->figure->name, "\">");
+        bl_html_tagged(out, "", views[f].result->figure->question, "</a> ");
+        bl_html_tagged(out, "<span class=\"soft\">", views[f].result->figure->name,
+                       "</span></li>\n");
     }
     fputs("</ol></nav>\n", out);
 }
@@ -381,7 +355,7 @@ bl_status bl_page_write(const char *path, const bl_run_view *views, size_t count
     fprintf(out, "</main>\n<footer><p>bandlimit %s, size %s, seed %llu", BL_VERSION,
             bl_size_word(settings->size), (unsigned long long)settings->seed);
     if (settings->arguments && *settings->arguments)
-        put_tagged(out, ": <code>", settings->arguments, "</code>");
+        bl_html_tagged(out, ": <code>", settings->arguments, "</code>");
     fputs("</p></footer>\n</body>\n</html>\n", out);
     if (status == BL_OK)
         return bl_file_commit(&file, message);

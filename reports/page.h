@@ -11,6 +11,4 @@
 bl_status bl_page_write(const char *path, const bl_run_view *views, size_t count,
                         const bl_reproduce_settings *settings, bl_message *message);
 
-extern const char *const bl_page_style; // the style sheet
-
 #endif

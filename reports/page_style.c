@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The style sheet of the page. Colours are variables, so that the dark scheme and the print scheme
+// The style sheet of the pages. Colours are variables, so that the dark scheme and the print scheme
 // change nothing but these; all pairs of text and ground have a contrast of at least 4.5 to 1.
-#include "reports/page.h"
+#include "reports/html.h"
 
 const char *const bl_page_style =
     ":root{color-scheme:light dark;--ground:#fbfbf9;--card:#ffffff;--text:#1d1f21;--soft:#55595e;"

@@ -49,7 +49,7 @@ bl_status bl_score_measure(const bl_score_subject *subject, const bl_score_setti
     memset(score, 0, sizeof *score);
     for (size_t i = 0; registry[i]; i++) {
         bl_score_property *result = &score->properties[i];
-        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "not asked for");
+        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, BL_SCORE_NOT_ASKED);
         if (!(wanted >> i & 1))
             continue;
         bl_status status = registry[i]->measure(subject, &share, result, message);
@@ -97,6 +97,28 @@ void bl_score_judge(bl_score_property *result, bl_score_verdict verdict, bl_scor
     va_start(arguments, format);
     vsnprintf(result->reason, sizeof result->reason, format, arguments);
     va_end(arguments);
+}
+
+void bl_score_add_claim(bl_score_property *result, const char *name, bl_score_verdict verdict,
+                        const char *format, ...) {
+    va_list arguments;
+    assert(result->claim_count < BL_SCORE_CLAIMS);
+    if (result->claim_count == BL_SCORE_CLAIMS)
+        return;
+    bl_score_claim *claim = &result->claims[result->claim_count++];
+    claim->name = name;
+    claim->verdict = verdict;
+    va_start(arguments, format);
+    vsnprintf(claim->reason, sizeof claim->reason, format, arguments);
+    va_end(arguments);
+}
+
+bl_score_verdict bl_score_worse(bl_score_verdict a, bl_score_verdict b) {
+    static const int badness[] = {[BL_SCORE_NOT_RUN] = 0,
+                                  [BL_SCORE_PASS] = 1,
+                                  [BL_SCORE_INCONCLUSIVE] = 2,
+                                  [BL_SCORE_FAIL] = 3};
+    return badness[a] >= badness[b] ? a : b;
 }
 
 const char *bl_score_word(bl_score_verdict verdict) {

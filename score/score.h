@@ -24,6 +24,7 @@
 enum {
     BL_SCORE_NUMBERS = 40,    // of a property, at most
     BL_SCORE_PROPERTIES = 16, // of the registry, at most
+    BL_SCORE_CLAIMS = 4,      // of a property, at most
     BL_SCORE_VARIANTS = 4     // instruction sets, at most
 };
 
@@ -42,6 +43,13 @@ typedef struct bl_score_number {
     bl_estimate estimate; // value NAN: not measured
 } bl_score_number;
 
+// One of several claims that a property judges: the bound, the mean and the variance of the range.
+typedef struct bl_score_claim {
+    const char *name; // a constant: "variance"
+    bl_score_verdict verdict;
+    char reason[200];
+} bl_score_claim;
+
 typedef struct bl_score_property {
     bl_score_verdict verdict;
     bl_score_against against;
@@ -49,6 +57,8 @@ typedef struct bl_score_property {
     char reason[320]; // one sentence: what was found, and against what it was judged
     size_t count;
     bl_score_number numbers[BL_SCORE_NUMBERS];
+    size_t claim_count; // 0: the property as a whole is what is claimed, or nothing is
+    bl_score_claim claims[BL_SCORE_CLAIMS];
 } bl_score_property;
 
 // What is measured: the signal, and the same signal compiled for other instruction sets (none for
@@ -95,6 +105,9 @@ typedef struct bl_score {
 // 1e-6, one signal, normal size, seed 1, level 0.95, all threads.
 bl_score_settings bl_score_default_settings(void);
 
+// The reason of a property that was not measured because nobody asked.
+#define BL_SCORE_NOT_ASKED "not asked for"
+
 // Measures the properties whose index is set in `wanted` (bit i: property i); the others are "not
 // run". Deterministic for given settings whatever the threads, but for the property `cost`.
 // Thread-safe, but for `cost`, whose times disturb each other. Errors: those of the properties.
@@ -115,6 +128,13 @@ const bl_score_number *bl_score_find(const bl_score_property *result, const char
 // Sets verdict, against and the reason by printf.
 void bl_score_judge(bl_score_property *result, bl_score_verdict verdict, bl_score_against against,
                     const char *format, ...) __attribute__((format(printf, 4, 5)));
+
+// Adds one of several claims; the name is a constant. Dropped beyond BL_SCORE_CLAIMS (asserts).
+void bl_score_add_claim(bl_score_property *result, const char *name, bl_score_verdict verdict,
+                        const char *format, ...) __attribute__((format(printf, 4, 5)));
+// The verdict of several claims or properties together: fail before inconclusive before pass before
+// not run.
+bl_score_verdict bl_score_worse(bl_score_verdict a, bl_score_verdict b);
 
 const char *bl_score_word(bl_score_verdict verdict);         // "pass", ..., "not-run"
 const char *bl_score_against_word(bl_score_against against); // "claim", "ideal"

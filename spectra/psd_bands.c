@@ -137,6 +137,14 @@ static double decibel(double share_of_variance) {
     return share_of_variance > 0 ? 10 * log10(share_of_variance) : -INFINITY;
 }
 
+int bl_psd_has_outside(const bl_psd *psd, const bl_band_limit *limit) {
+    for (size_t i = 1; i < psd->count; i++)
+        if (psd->frequency[i] + psd->width[i] / 2 <= limit->from - limit->guard ||
+            psd->frequency[i] - psd->width[i] / 2 >= limit->to + limit->guard)
+            return 1;
+    return 0;
+}
+
 double bl_psd_guard(const bl_psd *psd) {
     return bl_window_half_lobe(psd->settings.window) * psd->width[0];
 }

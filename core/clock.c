@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/bench_clock.h"
+#include "core/clock.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -7,19 +7,18 @@
 
 enum { MOST_WORKS = 4, MOST_ROUNDS = 101 };
 
-static double now_seconds(void) {
+double bl_clock_seconds(void) {
     struct timespec time;
     clock_gettime(CLOCK_MONOTONIC, &time);
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-// The smallest step that the clock is seen to make.
-static double clock_tick(void) {
+double bl_clock_tick(void) {
     double tick = 1;
     for (int i = 0; i < 64; i++) {
-        double start = now_seconds(), end = start;
+        double start = bl_clock_seconds(), end = start;
         while (end == start)
-            end = now_seconds();
+            end = bl_clock_seconds();
         if (end - start < tick)
             tick = end - start;
     }
@@ -30,14 +29,14 @@ static double time_runs(const bl_work *work, size_t runs) {
     double taken = 0;
     for (size_t i = 0; work->prepare && i < runs; i++) {
         work->prepare(work->user);
-        double start = now_seconds();
+        double start = bl_clock_seconds();
         work->run(work->user);
-        taken += now_seconds() - start;
+        taken += bl_clock_seconds() - start;
     }
-    double start = now_seconds();
+    double start = bl_clock_seconds();
     for (size_t i = 0; !work->prepare && i < runs; i++)
         work->run(work->user);
-    return work->prepare ? taken : now_seconds() - start;
+    return work->prepare ? taken : bl_clock_seconds() - start;
 }
 
 // How many runs fill a turn: doubled until they do, which warms caches too.
@@ -57,7 +56,7 @@ void bl_time_by_turns(const bl_work *works, size_t count, int rounds, double tur
                       bl_time *times) {
     double taken[MOST_WORKS][MOST_ROUNDS];
     size_t runs[MOST_WORKS];
-    double seconds = fmax(turn_seconds, 1000 * clock_tick());
+    double seconds = fmax(turn_seconds, 1000 * bl_clock_tick());
     rounds = rounds < MOST_ROUNDS ? rounds : MOST_ROUNDS;
     for (size_t w = 0; w < count; w++)
         runs[w] = runs_of(&works[w], seconds);

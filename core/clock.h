@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A fair clock: two pieces of work timed by turns, each repeated until the clock can be trusted.
-#ifndef BL_CLI_BENCH_CLOCK_H
-#define BL_CLI_BENCH_CLOCK_H
+#ifndef BL_CORE_CLOCK_H
+#define BL_CORE_CLOCK_H
 
 #include <stddef.h>
 
@@ -13,6 +13,11 @@ typedef struct bl_work {
     void *user;
     void (*prepare)(void *user);
 } bl_work;
+
+// Seconds of a clock that only moves forward, from some moment on; and the smallest step that it is
+// seen to make, in seconds.
+double bl_clock_seconds(void);
+double bl_clock_tick(void);
 
 typedef struct bl_time {
     double minimum, median; // nanoseconds a run

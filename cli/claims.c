@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "cli/claims.h"
+
+#include <string.h>
+
+#include "cli/csv.h"
+#include "cli/json.h"
+#include "cli/plain.h"
+#include "cli/scorecard.h"
+
+enum { MOST = BL_SCORE_PROPERTIES * BL_SCORE_CLAIMS };
+
+// A claim, the property that judges it, and what was found.
+typedef struct claim_line {
+    const char *property, *name, *reason;
+    bl_score_verdict verdict;
+} claim_line;
+
+// Every claim of a property of several, and every other property that is judged against a claim.
+static size_t list_claims(const bl_score *score, claim_line lines[MOST]) {
+    size_t count = 0;
+    for (size_t i = 0; i < bl_property_count(); i++) {
+        const bl_score_property *result = &score->properties[i];
+        const char *name = bl_property_at(i)->name;
+        for (size_t k = 0; k < result->claim_count && count < MOST; k++)
+            lines[count++] = (claim_line){name, result->claims[k].name, result->claims[k].reason,
+                                          result->claims[k].verdict};
+        if (result->claim_count == 0 && result->against == BL_AGAINST_CLAIM && count < MOST)
+            lines[count++] = (claim_line){name, name, result->reason, result->verdict};
+    }
+    return count;
+}
+
+// That it is a function of the place is claimed by being a signal; more than that must be stated.
+static int states_something(const claim_line *lines, size_t count) {
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(lines[i].property, "repeatable") != 0)
+            return 1;
+    return 0;
+}
+
+static bl_status verdict_of(const claim_line *lines, size_t count) {
+    bl_score_verdict worst = BL_SCORE_NOT_RUN;
+    for (size_t i = 0; i < count; i++)
+        worst = bl_score_worse(worst, lines[i].verdict);
+    return worst == BL_SCORE_FAIL           ? BL_FAIL
+           : worst == BL_SCORE_INCONCLUSIVE ? BL_INCONCLUSIVE
+                                            : BL_OK;
+}
+
+static void report_json(json_t *object, const bl_scorecard *card, const claim_line *lines,
+                        size_t count, double alpha) {
+    bl_status verdict = verdict_of(lines, count);
+    json_t *claims = json_array(), *properties = json_object();
+    bl_json_set_text(object, "verdict", bl_status_word(verdict));
+    bl_json_set_count(object, "exit_status", (uint64_t)verdict);
+    bl_json_set_text(object, "signal", card->signal->text);
+    bl_json_set_number(object, "alpha", alpha);
+    for (size_t i = 0; i < count; i++) {
+        json_t *claim = json_object();
+        bl_json_set_text(claim, "claim", lines[i].name);
+        bl_json_set_text(claim, "property", lines[i].property);
+        bl_json_set_text(claim, "verdict", bl_score_word(lines[i].verdict));
+        bl_json_set_text(claim, "reason", lines[i].reason);
+        json_array_append_new(claims, claim);
+    }
+    json_object_set_new(object, "claims", claims);
+    for (size_t i = 0; i < bl_property_count(); i++)
+        if (card->score.properties[i].against == BL_AGAINST_CLAIM)
+            json_object_set_new(properties, bl_property_at(i)->name,
+                                bl_scorecard_json(&card->score.properties[i]));
+    json_object_set_new(object, "properties", properties);
+}
+
+static void report_text(bl_call *call, const bl_scorecard *card, const claim_line *lines,
+                        size_t count) {
+    FILE *out = call->out;
+    bl_plain_text(out, card->signal->text);
+    fprintf(out, ": %zu claim%s\n", count, bl_plural(count));
+    for (size_t i = 0; i < count; i++) {
+        const char *word = bl_score_word(lines[i].verdict);
+        fprintf(out, "%-14s %s%*s  ", lines[i].name, bl_scorecard_word(call, lines[i].verdict),
+                (int)(12 - strlen(word)), "");
+        bl_plain_text(out, lines[i].reason);
+        fputc('\n', out);
+    }
+    fprintf(out, "%-14s %s\n", "verdict", bl_call_verdict(call, verdict_of(lines, count)));
+}
+
+static bl_status write_csv(bl_call *call, const bl_scorecard *card, const claim_line *lines,
+                           size_t count) {
+    bl_file file;
+    bl_status status = bl_csv_open(call, &file);
+    if (status != BL_OK)
+        return status;
+    bl_csv_comment(file.stream, "bandlimit check", BL_VERSION);
+    bl_csv_comment(file.stream, "signal", card->signal->text);
+    fputs("claim,property,verdict,reason\n", file.stream);
+    for (size_t i = 0; i < count; i++) {
+        bl_csv_word(file.stream, lines[i].name, ',');
+        bl_csv_word(file.stream, lines[i].property, ',');
+        bl_csv_word(file.stream, bl_score_word(lines[i].verdict), ',');
+        bl_csv_word(file.stream, lines[i].reason, '\n');
+    }
+    return bl_csv_close(call, &file);
+}
+
+static bl_status report(bl_call *call, const bl_scorecard *card, double alpha, bl_status *verdict) {
+    claim_line lines[MOST];
+    size_t count = list_claims(&card->score, lines);
+    if (!states_something(lines, count))
+        return bl_report(&call->message, BL_MISMATCH,
+                         "'%s' states nothing that could be checked; `bandlimit score` measures it "
+                         "against the ideal",
+                         card->signal->text);
+    *verdict = verdict_of(lines, count);
+    if (bl_json_start(call))
+        report_json(call->json, card, lines, count, alpha);
+    else if (!call->common.quiet)
+        report_text(call, card, lines, count);
+    return call->path ? write_csv(call, card, lines, count) : BL_OK;
+}
+
+bl_status bl_check_claims(bl_call *call, double alpha) {
+    bl_scorecard card = {0};
+    bl_score_settings settings = bl_scorecard_settings(call, alpha, 1);
+    bl_status verdict = BL_OK;
+    uint64_t wanted = (UINT64_C(1) << bl_property_count()) - 1;
+    bl_progress(call, "checking the claims of %s ...", call->operands.words[0]);
+    bl_status status =
+        bl_scorecard_measure(call, call->operands.words[0], &settings, wanted, &card);
+    bl_progress(call, NULL);
+    if (status == BL_OK)
+        status = report(call, &card, alpha, &verdict);
+    bl_scorecard_free(&card);
+    return status == BL_OK ? verdict : status;
+}

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `score`: signals against the properties of an ideal noise, a row a signal and a column a
+// property.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/csv.h"
+#include "cli/json.h"
+#include "cli/plain.h"
+#include "cli/score_table.h"
+#include "cli/scorecard.h"
+#include "cli/words.h"
+#include "reports/score_page.h"
+
+typedef struct score_settings {
+    double alpha;
+    const char *only, *skip;
+    int all, strict;
+} score_settings;
+
+// --- which properties ---
+
+static bl_status report_unknown(bl_call *call, const char *option, const char *word) {
+    const char *names[BL_SCORE_PROPERTIES + 1] = {NULL};
+    for (size_t i = 0; i < bl_property_count(); i++)
+        names[i] = bl_property_at(i)->name;
+    const char *near = bl_suggest(word, names);
+    return bl_report(&call->message, BL_USAGE, "--%s: unknown property '%s'%s%s%s%s", option, word,
+                     near ? "; did you mean '" : "; `bandlimit help score` lists them",
+                     near ? near : "", near ? "'" : "", near ? "?" : "");
+}
+
+// Reads "range,band" into bits.
+static bl_status read_names(bl_call *call, const char *option, const char *list, uint64_t *bits) {
+    char *copy = strdup(list), *rest = NULL;
+    bl_status status = BL_OK;
+    *bits = 0;
+    if (!copy)
+        return bl_report(&call->message, BL_DEVICE, "out of memory");
+    for (char *word = strtok_r(copy, ",", &rest); word && status == BL_OK;
+         word = strtok_r(NULL, ",", &rest)) {
+        size_t i = 0;
+        while (i < bl_property_count() && strcmp(bl_property_at(i)->name, word) != 0)
+            i++;
+        if (i == bl_property_count())
+            status = report_unknown(call, option, word);
+        else
+            *bits |= UINT64_C(1) << i;
+    }
+    free(copy);
+    return status;
+}
+
+static bl_status read_wanted(bl_call *call, uint64_t *wanted) {
+    const score_settings *settings = call->settings;
+    uint64_t skipped = 0;
+    bl_status status = BL_OK;
+    *wanted = (UINT64_C(1) << bl_property_count()) - 1;
+    if (settings->only)
+        status = read_names(call, "only", settings->only, wanted);
+    if (status == BL_OK && settings->skip)
+        status = read_names(call, "skip", settings->skip, &skipped);
+    *wanted &= ~skipped;
+    if (status == BL_OK && !*wanted)
+        return bl_report(&call->message, BL_USAGE, "--only and --skip leave no property to score");
+    return status;
+}
+
+// --- which signals ---
+
+static bl_status read_texts(bl_call *call, bl_words *texts) {
+    const score_settings *settings = call->settings;
+    int fits = 1;
+    if (!settings->all && call->operands.count == 0)
+        return bl_report(&call->message, BL_USAGE,
+                         "score needs signals: bandlimit score gnoise vnoise, or --all for all "
+                         "noises");
+    for (size_t i = 0; settings->all && i < bl_noise_count(); i++)
+        fits &= bl_words_add(texts, bl_noise_at(i, BL_ISA_BASELINE)->name);
+    for (size_t i = 0; i < call->operands.count; i++)
+        fits &= bl_words_add(texts, call->operands.words[i]);
+    return fits ? BL_OK : bl_report(&call->message, BL_DEVICE, "out of memory");
+}
+
+// --- reports ---
+
+static void report_json(bl_call *call, const bl_scorecard *cards, size_t count,
+                        const bl_score_settings *used, bl_status verdict) {
+    const score_settings *settings = call->settings;
+    json_t *rows = json_array();
+    static const char *const sizes[] = {"quick", "normal", "full"};
+    bl_json_set_text(call->json, "verdict", bl_status_word(verdict));
+    bl_json_set_count(call->json, "exit_status", (uint64_t)verdict);
+    bl_json_set_number(call->json, "alpha", used->alpha);
+    bl_json_set_number(call->json, "level", used->level);
+    bl_json_set_text(call->json, "size", sizes[used->size]);
+    bl_json_set_count(call->json, "seed", used->seed);
+    json_object_set_new(call->json, "strict", json_boolean(settings->strict));
+    for (size_t s = 0; s < count; s++) {
+        json_t *row = json_object(), *properties = json_object();
+        bl_json_set_text(row, "signal", cards[s].signal->text);
+        for (size_t i = 0; i < bl_property_count(); i++)
+            json_object_set_new(properties, bl_property_at(i)->name,
+                                bl_scorecard_json(&cards[s].score.properties[i]));
+        json_object_set_new(row, "properties", properties);
+        json_array_append_new(rows, row);
+    }
+    json_object_set_new(call->json, "rows", rows);
+}
+
+static void write_row(FILE *out, const bl_signal *signal, const bl_property *property,
+                      const bl_score_property *result, const bl_score_number *number) {
+    bl_csv_word(out, signal->text, ',');
+    bl_csv_word(out, property->name, ',');
+    bl_csv_word(out, bl_score_word(result->verdict), ',');
+    bl_csv_word(out, bl_score_against_word(result->against), ',');
+    bl_csv_word(out, number ? number->name : "", ',');
+    if (!number) {
+        fputs(",,,,", out);
+    } else {
+        int seen = number->estimate.level <= 0;
+        bl_csv_number(out, number->estimate.value, ',');
+        bl_csv_number(out, seen ? NAN : number->estimate.lower, ',');
+        bl_csv_number(out, seen ? NAN : number->estimate.upper, ',');
+        bl_csv_number(out, number->estimate.level, ',');
+        bl_csv_number(out, number->estimate.samples > 0 ? number->estimate.samples : NAN, ',');
+    }
+    bl_csv_word(out, result->reason, '\n');
+}
+
+// A row for each number; one without a number for a property that has none.
+static bl_status write_csv(bl_call *call, const bl_scorecard *cards, size_t count,
+                           const bl_score_settings *used) {
+    bl_file file;
+    bl_status status = bl_csv_open(call, &file);
+    if (status != BL_OK)
+        return status;
+    char text[128];
+    snprintf(text, sizeof text, "alpha %g, level %g, size %d, seed %llu", used->alpha, used->level,
+             used->size, (unsigned long long)used->seed);
+    bl_csv_comment(file.stream, "bandlimit score", BL_VERSION);
+    bl_csv_comment(file.stream, "settings", text);
+    fputs("signal,property,verdict,against,number,value,lower,upper,level,samples,reason\n",
+          file.stream);
+    for (size_t s = 0; s < count; s++)
+        for (size_t i = 0; i < bl_property_count(); i++) {
+            const bl_score_property *result = &cards[s].score.properties[i];
+            for (size_t k = 0; k < (result->count ? result->count : 1); k++)
+                write_row(file.stream, cards[s].signal, bl_property_at(i), result,
+                          result->count ? &result->numbers[k] : NULL);
+        }
+    return bl_csv_close(call, &file);
+}
+
+static int ends_with(const char *text, const char *ending) {
+    size_t length = strlen(text), tail = strlen(ending);
+    return length > tail && strcmp(text + length - tail, ending) == 0;
+}
+
+static bl_status write_page(bl_call *call, const bl_scorecard *cards, size_t count,
+                            const bl_score_settings *used, bl_status verdict) {
+    bl_score_view *views = calloc(count, sizeof *views);
+    if (!views)
+        return bl_report(&call->message, BL_DEVICE, "out of memory");
+    for (size_t s = 0; s < count; s++)
+        views[s] = (bl_score_view){cards[s].signal, &cards[s].score};
+    bl_status status = bl_score_page_write(call->path, views, count, used, verdict, &call->message);
+    free(views);
+    return status;
+}
+
+static bl_status report(bl_call *call, const bl_scorecard *cards, size_t count,
+                        const bl_score_settings *used, bl_status verdict) {
+    if (bl_json_start(call))
+        report_json(call, cards, count, used, verdict);
+    else if (!call->common.quiet)
+        bl_score_table_print(call, cards, count, used);
+    if (!call->path)
+        return BL_OK;
+    return ends_with(call->path, ".html") ? write_page(call, cards, count, used, verdict)
+                                          : write_csv(call, cards, count, used);
+}
+
+// --- the run ---
+
+static bl_status find_verdict(const bl_scorecard *cards, size_t count, int strict) {
+    bl_status verdict = BL_OK;
+    for (size_t s = 0; s < count; s++) {
+        bl_status one = bl_score_status(&cards[s].score, 1, strict);
+        verdict = verdict == BL_FAIL || one == BL_OK ? verdict : one;
+    }
+    return verdict;
+}
+
+// One signal after another: each spreads its work over the threads, and nothing disturbs the clock
+// of the cost, which is measured last.
+static bl_status measure_all(bl_call *call, const bl_words *texts, uint64_t wanted,
+                             const bl_score_settings *used, bl_scorecard *cards) {
+    bl_status status = BL_OK;
+    for (size_t s = 0; s < texts->count && status == BL_OK; s++) {
+        bl_progress(call, "scoring %s, %zu of %zu ...", texts->words[s], s + 1, texts->count);
+        status = bl_scorecard_measure(call, texts->words[s], used, wanted, &cards[s]);
+    }
+    bl_progress(call, NULL);
+    return status;
+}
+
+static bl_status run_score(bl_call *call) {
+    const score_settings *settings = call->settings;
+    bl_words texts = {0};
+    uint64_t wanted;
+    bl_scorecard *cards = NULL;
+    bl_status verdict = BL_OK, status = read_wanted(call, &wanted);
+    if (status == BL_OK)
+        status = read_texts(call, &texts);
+    if (status == BL_OK && !(cards = calloc(texts.count, sizeof *cards)))
+        status = bl_report(&call->message, BL_DEVICE, "out of memory");
+    bl_score_settings used = bl_scorecard_settings(call, settings->alpha, texts.count);
+    if (status == BL_OK)
+        status = measure_all(call, &texts, wanted, &used, cards);
+    if (status == BL_OK) {
+        verdict = find_verdict(cards, texts.count, settings->strict);
+        status = report(call, cards, texts.count, &used, verdict);
+    }
+    for (size_t s = 0; cards && s < texts.count; s++)
+        bl_scorecard_free(&cards[s]);
+    free(cards);
+    bl_words_free(&texts);
+    return status == BL_OK ? verdict : status;
+}
+
+static const bl_option options[] = {
+    {.name = "all",
+     .kind = BL_OPTION_FLAG,
+     .offset = offsetof(score_settings, all),
+     .help = "all noises of the registry, before the signals named"},
+    {.name = "only",
+     .kind = BL_OPTION_WORD,
+     .offset = offsetof(score_settings, only),
+     .value = "NAMES",
+     .help = "these properties alone, as range,band"},
+    {.name = "skip",
+     .kind = BL_OPTION_WORD,
+     .offset = offsetof(score_settings, skip),
+     .value = "NAMES",
+     .help = "all properties but these"},
+    {.name = "strict",
+     .kind = BL_OPTION_FLAG,
+     .offset = offsetof(score_settings, strict),
+     .help = "what is judged against the ideal counts for the exit status too"},
+    {.name = "alpha",
+     .kind = BL_OPTION_REAL,
+     .offset = offsetof(score_settings, alpha),
+     .value = "P",
+     .fallback = "1e-6",
+     .minimum = 1e-12,
+     .maximum = 0.5,
+     .help = "probability that a table of signals that keep what they claim shows a failure by "
+             "chance"},
+    {0}};
+
+const bl_verb bl_verb_score = {
+    .name = "score",
+    .operands = "[SIGNAL...]",
+    .summary = "the ideal-noise scorecard",
+    .text =
+        "Measures signals against the properties of an ideal noise: a repeatable function "
+        "of a known range, limited to a band, without periods, stationary and isotropic; and "
+        "against what they state of themselves. A row a signal, a column a property (as in JSON): "
+        "repeatable, range, band, period, stationarity, isotropy, continuity, seeds, far, "
+        "gradient, cost. Each is judged against the signal's own claim or, where it makes none, "
+        "against the ideal; the exit status is that of the claims: 2 if one fails, else 1 if one "
+        "is inconclusive, else 0. All tests of a table share one probability of a false alarm.",
+    .most = 4096,
+    .output = BL_OUTPUT_DATA,
+    .output_help =
+        "write the numbers as CSV to PATH (a page, if PATH ends in .html; the JSON "
+        "object, if in .json)",
+    .options = options,
+    .settings_size = sizeof(score_settings),
+    .run = run_score,
+};

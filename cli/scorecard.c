@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "cli/scorecard.h"
+
+#include "cli/json.h"
+
+bl_score_settings bl_scorecard_settings(const bl_call *call, double alpha, size_t table) {
+    bl_score_settings settings = bl_score_default_settings();
+    settings.alpha = alpha;
+    settings.table = table;
+    settings.size = call->common.quick ? 0 : call->common.full ? 2 : 1;
+    settings.seed = call->common.seed;
+    settings.threads = bl_call_threads(call);
+    return settings;
+}
+
+// The same noise for the other instruction sets that run here.
+static bl_status open_variants(bl_call *call, const char *text, bl_score_subject *subject,
+                               bl_signal *variants[BL_SCORE_VARIANTS]) {
+    bl_isa own = call->isa == BL_ISA_BEST ? bl_isa_best() : call->isa;
+    if (!bl_noise_find(subject->signal->name, BL_ISA_BASELINE))
+        return BL_OK;
+    for (int isa = 0; isa < BL_ISA_COUNT && subject->variant_count < BL_SCORE_VARIANTS; isa++) {
+        size_t k = subject->variant_count;
+        if (isa == (int)own || !bl_isa_runs_here((bl_isa)isa))
+            continue;
+        bl_status status = bl_noise_open(text, (bl_isa)isa, &variants[k], &call->message);
+        if (status != BL_OK)
+            return status;
+        subject->variants[k] = variants[k];
+        subject->variant_names[k] = bl_isa_name((bl_isa)isa);
+        subject->variant_count++;
+    }
+    return BL_OK;
+}
+
+bl_status bl_scorecard_measure(bl_call *call, const char *text, const bl_score_settings *settings,
+                               uint64_t wanted, bl_scorecard *card) {
+    bl_signal *variants[BL_SCORE_VARIANTS] = {NULL};
+    bl_score_subject subject = {0};
+    card->signal = NULL;
+    bl_status status = bl_call_open(call, text, &card->signal);
+    if (status != BL_OK)
+        return status;
+    subject.signal = card->signal;
+    status = open_variants(call, text, &subject, variants);
+    if (status == BL_OK)
+        status = bl_score_measure(&subject, settings, wanted, &card->score, &call->message);
+    for (size_t v = 0; v < subject.variant_count; v++)
+        bl_signal_free(variants[v]);
+    return status;
+}
+
+void bl_scorecard_free(bl_scorecard *card) {
+    bl_signal_free(card->signal);
+    card->signal = NULL;
+}
+
+// A number without an interval has null limits and level 0; an exact one has level 1.
+static json_t *number_json(const bl_estimate *estimate) {
+    json_t *object = json_object();
+    int seen = estimate->level <= 0;
+    bl_json_set_number(object, "value", estimate->value);
+    json_object_set_new(object, "lower", seen ? json_null() : bl_json_number(estimate->lower));
+    json_object_set_new(object, "upper", seen ? json_null() : bl_json_number(estimate->upper));
+    bl_json_set_number(object, "level", estimate->level);
+    json_object_set_new(object, "samples",
+                        estimate->samples > 0 ? bl_json_number(estimate->samples) : json_null());
+    return object;
+}
+
+json_t *bl_scorecard_json(const bl_score_property *property) {
+    json_t *object = json_object(), *claims = json_array(), *numbers = json_object();
+    bl_json_set_text(object, "verdict", bl_score_word(property->verdict));
+    bl_json_set_text(object, "against", bl_score_against_word(property->against));
+    bl_json_set_text(object, "reason", property->reason);
+    bl_json_set_text(object, "cell", property->cell);
+    for (size_t i = 0; i < property->claim_count; i++) {
+        json_t *claim = json_object();
+        bl_json_set_text(claim, "name", property->claims[i].name);
+        bl_json_set_text(claim, "verdict", bl_score_word(property->claims[i].verdict));
+        bl_json_set_text(claim, "reason", property->claims[i].reason);
+        json_array_append_new(claims, claim);
+    }
+    json_object_set_new(object, "claims", claims);
+    for (size_t i = 0; i < property->count; i++)
+        json_object_set_new(numbers, property->numbers[i].name,
+                            number_json(&property->numbers[i].estimate));
+    json_object_set_new(object, "numbers", numbers);
+    return object;
+}
+
+static bl_status status_of(bl_score_verdict verdict) {
+    static const bl_status statuses[] = {[BL_SCORE_PASS] = BL_OK,
+                                         [BL_SCORE_FAIL] = BL_FAIL,
+                                         [BL_SCORE_INCONCLUSIVE] = BL_INCONCLUSIVE,
+                                         [BL_SCORE_NOT_RUN] = BL_OK};
+    return statuses[verdict];
+}
+
+const char *bl_scorecard_word(const bl_call *call, bl_score_verdict verdict) {
+    return verdict == BL_SCORE_NOT_RUN ? bl_score_word(verdict)
+                                       : bl_call_verdict(call, status_of(verdict));
+}
+
+const char *bl_scorecard_colour(const bl_call *call, bl_score_verdict verdict) {
+    static const char *const colours[] = {"\033[32m", "\033[31m", "\033[33m", ""};
+    // The word is coloured where colours may be.
+    return *bl_call_verdict(call, BL_OK) == '\033' ? colours[verdict] : "";
+}

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+//
+// The property `band`: which frequencies the signal has.
+//
+// Spectra along the x axis, along the diagonal (1, 1, 0) or (1, 1, 1), and radially in slices, each
+// averaged over random places and fresh seeds. Of each: the share of the variance above 1 cycle per
+// unit and from 0.3 to 0.7, the leak in dB of the variance outside of the band that is judged, and
+// the effective edges of the band: the lowest and the highest frequency whose density, smoothed
+// over 0.1 cycles per unit, is within 3 dB and within 30 dB of its peak.
+//
+// Judged is the leak along x, outside of the band and a guard of half the window's main lobe, by
+// one-sided limits at the property's share of alpha. A leak that is stated fails where the lower
+// limit lies above it. It is a number, not a budget: one that is exactly right lies between the
+// limits however many averages there are, so it passes where the upper limit is less than 1 dB
+// above it, and is inconclusive else. Without a claim the ideal asks for at most -30 dB above 1
+// cycle per unit, as a budget: pass needs the upper limit below it.
+#include <math.h>
+#include <stdio.h>
+
+#include "score/sampling.h"
+#include "score/score.h"
+#include "spectra/psd.h"
+
+static const double CLAIM_MARGIN_DB = 1;
+static const double SMOOTHING = 0.05; // cycles per unit each way
+// Of a line, in units. Its guard is then 4/128, which hides little of a density that falls steeply
+// at the edge; and the lines are short, because all of a line shares its place in the cell, so that
+// only fresh lines tell more.
+static const double LENGTH = 128;
+static const double IDEAL_TO = 1, IDEAL_LEAK_DB = -30;
+
+typedef struct direction {
+    const char *above, *middle, *leak;
+    const char *edges[4]; // 3 dB from, to; 30 dB from, to
+} direction;
+
+static const direction directions[] = {
+    {"share_above_1_x",
+     "share_0_3_to_0_7_x",
+     "leak_x_db",
+     {"edge_3db_low_x", "edge_3db_high_x", "edge_30db_low_x", "edge_30db_high_x"}},
+    {"share_above_1_diagonal",
+     "share_0_3_to_0_7_diagonal",
+     "leak_diagonal_db",
+     {"edge_3db_low_diagonal", "edge_3db_high_diagonal", "edge_30db_low_diagonal",
+      "edge_30db_high_diagonal"}},
+    {"share_above_1_radial",
+     "share_0_3_to_0_7_radial",
+     "leak_radial_db",
+     {"edge_3db_low_radial", "edge_3db_high_radial", "edge_30db_low_radial",
+      "edge_30db_high_radial"}}};
+
+typedef enum way { ALONG_X, ALONG_DIAGONAL, RADIALLY, WAYS } way;
+
+// --- how it is measured ---
+
+// Twice the frequencies of the band, if it reaches further than the default rates.
+static double rate_for(double usual, double band_to) {
+    double rate = usual;
+    while (isfinite(band_to) && rate < 4 * band_to && rate < 4096)
+        rate *= 2;
+    return rate;
+}
+
+static bl_psd_settings settings_for(const bl_signal *signal, const bl_score_settings *settings,
+                                    way which, double band_to) {
+    bl_psd_settings psd = bl_psd_default_settings(which == RADIALLY ? 2 : 1);
+    psd.seed = settings->seed;
+    psd.threads = settings->threads;
+    psd.level = settings->level;
+    if (which == ALONG_DIAGONAL)
+        psd.axis[1] = psd.axis[2] = 1;
+    if (which == ALONG_DIAGONAL && signal->dimensions < 3)
+        psd.axis[2] = 0;
+    if (bl_score_on_grid(signal))
+        return psd;
+    if (which == RADIALLY) {
+        psd.rate = rate_for(8, band_to);
+        psd.size = settings->size == 0 ? 256 : 512;
+        psd.averages = (size_t)bl_score_pick(settings, 4, 16, 128);
+    } else { // LENGTH units long, unless the band is so wide that this takes too many samples
+        psd.rate = rate_for(bl_score_pick(settings, 8, 16, 16), band_to);
+        psd.size = (size_t)fmin(LENGTH * psd.rate, bl_score_pick(settings, 4096, 16384, 16384));
+        psd.averages = (size_t)bl_score_pick(settings, 256, 1024, 8192);
+        if (which == ALONG_DIAGONAL) // which is not judged
+            psd.averages /= 4;
+    }
+    return psd;
+}
+
+// --- numbers ---
+
+// The density around a bin; frequency 0, from which the mean was taken, is left out.
+static double smooth_density(const bl_psd *psd, size_t bin) {
+    size_t reach = (size_t)(SMOOTHING / psd->width[0] + 0.5), count = 0;
+    double sum = 0;
+    for (size_t i = bin > reach ? bin - reach : 1; i <= bin + reach && i < psd->count; i++, count++)
+        sum += psd->psd[i];
+    return count ? sum / (double)count : 0;
+}
+
+static void add_edges(bl_score_property *result, const direction *names, const bl_psd *psd) {
+    double peak = 0;
+    for (size_t i = 1; i < psd->count; i++)
+        peak = fmax(peak, smooth_density(psd, i));
+    for (int d = 0; d < 2; d++) {
+        double least = peak * pow(10, d ? -3 : -0.3), low = NAN, high = NAN;
+        for (size_t i = 1; i < psd->count; i++)
+            if (smooth_density(psd, i) >= least) {
+                low = isnan(low) ? psd->frequency[i] : low;
+                high = psd->frequency[i];
+            }
+        bl_score_add_seen(result, names->edges[2 * d], low);
+        bl_score_add_seen(result, names->edges[2 * d + 1], high);
+    }
+}
+
+static void add_numbers(bl_score_property *result, const direction *names, bl_psd *psd,
+                        bl_band_limit limit, double level) {
+    bl_band above = {.from = 1, .to = INFINITY}, middle = {.from = 0.3, .to = 0.7};
+    psd->settings.level = level;
+    if (above.from < 0.5 * psd->settings.rate) {
+        bl_psd_band(psd, &above);
+        bl_score_add(result, names->above, above.fraction);
+    }
+    if (middle.to <= 0.5 * psd->settings.rate) {
+        bl_psd_band(psd, &middle);
+        bl_score_add(result, names->middle, middle.fraction);
+    }
+    psd->settings.level = 0.5 + 0.5 * level; // two one-sided limits of this level
+    limit.guard = bl_psd_guard(psd);
+    if (bl_psd_has_outside(psd, &limit)) {
+        bl_psd_band_limit(psd, &limit);
+        bl_score_add(result, names->leak,
+                     (bl_estimate){limit.leak_db, limit.lower_db, limit.upper_db, level,
+                                   (double)psd->settings.averages});
+    }
+    add_edges(result, names, psd);
+}
+
+// --- the verdict ---
+
+typedef struct band_claim {
+    double from, to, leak_db;
+    bl_score_against against;
+} band_claim;
+
+static band_claim claim_of(const bl_signal *signal) {
+    const bl_facts *facts = &signal->facts;
+    if (isfinite(facts->band_to) && isfinite(facts->leak_db))
+        return (band_claim){isfinite(facts->band_from) ? facts->band_from : 0, facts->band_to,
+                            facts->leak_db, BL_AGAINST_CLAIM};
+    return (band_claim){0, IDEAL_TO, IDEAL_LEAK_DB, BL_AGAINST_IDEAL};
+}
+
+static void judge_leak(bl_score_property *result, const bl_psd *psd, const band_claim *claim,
+                       bl_band_limit *limit) {
+    int claimed = claim->against == BL_AGAINST_CLAIM;
+    double passes = claim->leak_db + (claimed ? CLAIM_MARGIN_DB : 0);
+    bl_score_verdict verdict = limit->lower_db > claim->leak_db ? BL_SCORE_FAIL
+                               : limit->upper_db <= passes      ? BL_SCORE_PASS
+                                                                : BL_SCORE_INCONCLUSIVE;
+    char settle[80] = "";
+    if (verdict == BL_SCORE_INCONCLUSIVE && claimed)
+        snprintf(settle, sizeof settle, "; it passes below %.4g dB: take more averages", passes);
+    else if (verdict == BL_SCORE_INCONCLUSIVE && limit->needed_averages)
+        snprintf(settle, sizeof settle, "; about %zu averages would settle it",
+                 limit->needed_averages);
+    snprintf(result->cell, sizeof result->cell, isfinite(limit->leak_db) ? "%.1f dB" : "none",
+             limit->leak_db);
+    bl_score_judge(result, verdict, claim->against,
+                   "%.4g dB of the variance outside of %.4g to %.4g cycles per unit along x (%.4g "
+                   "to %.4g from %zu averages), %s is %.4g dB%s",
+                   limit->leak_db, limit->from, limit->to, limit->lower_db, limit->upper_db,
+                   psd->settings.averages, claimed ? "the claim" : "the ideal", claim->leak_db,
+                   settle);
+}
+
+static void judge(bl_score_property *result, bl_psd *psd, const band_claim *claim, double alpha) {
+    bl_band_limit limit = {.from = claim->from, .to = claim->to, .limit_db = claim->leak_db};
+    limit.guard = bl_psd_guard(psd);
+    if (!(psd->variance.value > 0)) {
+        bl_score_judge(result, BL_SCORE_NOT_RUN, claim->against,
+                       "it is constant: there is no variance to judge");
+        return;
+    }
+    if (!bl_psd_has_outside(psd, &limit) || limit.from >= 0.5 * psd->settings.rate) {
+        bl_score_judge(result, BL_SCORE_NOT_RUN, claim->against,
+                       "its samples hold frequencies up to %g cycles per unit, so nothing is left "
+                       "to judge outside of %g to %g; of an image spacing= tells its scale",
+                       0.5 * psd->settings.rate, limit.from, limit.to);
+        return;
+    }
+    psd->settings.level = 1 - alpha;
+    bl_psd_band_limit(psd, &limit);
+    judge_leak(result, psd, claim, &limit);
+}
+
+static int has_way(const bl_signal *signal, way which) {
+    if (which == ALONG_X)
+        return 1;
+    return signal->dimensions > 1 && !(which == ALONG_DIAGONAL && bl_score_on_grid(signal));
+}
+
+static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
+                         bl_score_property *result, bl_message *message) {
+    const bl_signal *signal = subject->signal;
+    band_claim claim = claim_of(signal);
+    for (way which = ALONG_X; which < WAYS; which++) {
+        bl_message own = {""};
+        bl_psd psd;
+        if (!has_way(signal, which))
+            continue;
+        bl_psd_settings wanted = settings_for(signal, settings, which, claim.to);
+        bl_status status = bl_psd_measure(signal, &wanted, &psd, &own);
+        if (status == BL_DEVICE)
+            return bl_report(message, status, "%s", own.text);
+        if (status != BL_OK && which == ALONG_X) {
+            bl_score_judge(result, BL_SCORE_NOT_RUN, claim.against, "%s", own.text);
+            return BL_OK;
+        }
+        if (status != BL_OK) // a grid without squares, say; the line has been judged
+            continue;
+        bl_band_limit limit = {.from = claim.from, .to = claim.to, .limit_db = claim.leak_db};
+        if (psd.variance.value > 0)
+            add_numbers(result, &directions[which], &psd, limit, settings->level);
+        if (which == ALONG_X)
+            judge(result, &psd, &claim, settings->alpha);
+        bl_psd_free(&psd);
+    }
+    return BL_OK;
+}
+
+BL_PROPERTY_DESCRIPTOR(band) = {
+    .name = "band",
+    .title = "band",
+    .question = "Is it limited to a band, and how much of its variance lies outside?",
+    .measure = measure,
+};

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `score` and `check --claims`: their tables, JSON, files and exit status.
+#include "tests/test.h"
+
+#include <jansson.h>
+#include <unistd.h>
+
+#include "tests/program.h"
+
+// Fails unless the program ends so and says that.
+static void expect(int status, const char *says, const char *const *words) {
+    bl_ran ran = bl_run_words(NULL, words);
+    if (ran.status != status || !(strstr(ran.err, says) || strstr(ran.out, says)))
+        fail_msg("%s %s: status %d, expected %d and '%s': %s%s", words[0], words[1], ran.status,
+                 status, says, ran.err, ran.out);
+    bl_ran_free(&ran);
+}
+#define EXPECT(status, says, ...) expect(status, says, (const char *const[]){__VA_ARGS__, NULL})
+
+// The object that the program prints, whose exit_status must be the program's.
+static json_t *run_json(const char *const *words) {
+    bl_ran ran = bl_run_words(NULL, words);
+    json_t *object = json_loads(ran.out, 0, NULL);
+    if (!object)
+        fail_msg("%s %s prints no JSON: %s%s", words[0], words[1], ran.err, ran.out);
+    assert_int_equal(json_integer_value(json_object_get(object, "exit_status")), ran.status);
+    bl_ran_free(&ran);
+    return object;
+}
+#define RUN_JSON(...) run_json((const char *const[]){__VA_ARGS__, "--json", NULL})
+
+static const char *text_of(const json_t *object, const char *key) {
+    const char *text = json_string_value(json_object_get(object, key));
+    return text ? text : "";
+}
+
+static int is_one_of(const char *word, const char *const *words) {
+    for (; *words; words++)
+        if (strcmp(word, *words) == 0)
+            return 1;
+    return 0;
+}
+
+static void check_property(const char *name, const json_t *property) {
+    static const char *const verdicts[] = {"pass", "fail", "inconclusive", "not-run", NULL};
+    static const char *const against[] = {"claim", "ideal", NULL};
+    const char *key;
+    json_t *number;
+    if (!is_one_of(text_of(property, "verdict"), verdicts) ||
+        !is_one_of(text_of(property, "against"), against) || !*text_of(property, "reason"))
+        fail_msg("%s: verdict '%s' against '%s': '%s'", name, text_of(property, "verdict"),
+                 text_of(property, "against"), text_of(property, "reason"));
+    assert_true(json_is_string(json_object_get(property, "cell")));
+    json_object_foreach(json_object_get(property, "numbers"), key, number) {
+        static const char *const keys[] = {"value", "lower", "upper", "level", "samples"};
+        for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+            if (!json_object_get(number, keys[i]))
+                fail_msg("%s.%s has no '%s'", name, key, keys[i]);
+    }
+}
+
+static void test_the_object_has_a_row_a_signal_and_a_key_a_property(void **state) {
+    (void)state;
+    static const char *const own[] = {"repeatable", "range", "band", "cost"};
+    json_t *object = RUN_JSON("score", "gnoise", "vnoise:seed=3", "--quick", "--strict");
+    assert_string_equal(text_of(object, "schema"), "bandlimit.score/1");
+    const json_t *rows = json_object_get(object, "rows");
+    assert_int_equal(json_array_size(rows), 2);
+    assert_string_equal(text_of(json_array_get(rows, 1), "signal"), "vnoise:seed=3");
+    for (size_t r = 0; r < 2; r++) {
+        json_t *properties = json_object_get(json_array_get(rows, r), "properties"), *property;
+        const char *name;
+        for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+            assert_non_null(json_object_get(properties, own[i]));
+        json_object_foreach(properties, name, property) check_property(name, property);
+    }
+    json_decref(object);
+}
+
+static void test_properties_are_chosen_by_name(void **state) {
+    (void)state;
+    json_t *object =
+        RUN_JSON("score", "gnoise", "--quick", "--only", "range,cost", "--skip", "cost");
+    json_t *properties =
+        json_object_get(json_array_get(json_object_get(object, "rows"), 0), "properties");
+    assert_string_equal(text_of(json_object_get(properties, "range"), "verdict"), "pass");
+    assert_string_equal(text_of(json_object_get(properties, "cost"), "verdict"), "not-run");
+    assert_string_equal(text_of(json_object_get(properties, "band"), "reason"), "not asked for");
+    json_decref(object);
+    EXPECT(64, "did you mean 'range'", "score", "gnoise", "--only", "rnage");
+    EXPECT(64, "leave no property", "score", "gnoise", "--only", "range", "--skip", "range");
+    EXPECT(64, "score needs signals", "score");
+    EXPECT(64, "unknown", "score", "gnoize", "--quick");
+}
+
+static void test_strict_counts_the_ideal(void **state) {
+    (void)state;
+    // 3.7 pixels to a cell that are said to be five: all frequencies are a third too high.
+    const char *image = bl_test_path("strict.exr");
+    char text[300];
+    EXPECT(0, "256 x 256", "render", "vnoise:interp=linear", "--width", "256", "--height", "256",
+           "--scale", "70", "-o", image);
+    snprintf(text, sizeof text, "%s:spacing=0.2", image);
+    EXPECT(0, "band: fail against the ideal", "score", text, "--quick", "--only", "band");
+    EXPECT(2, "band: fail against the ideal", "score", text, "--quick", "--only", "band",
+           "--strict");
+    unlink(image);
+}
+
+static void test_the_table_fits_a_terminal(void **state) {
+    (void)state;
+    bl_ran ran = bl_run_program("score", "gnoise", "scnoise:impulses=3,seed=18446744073709551615",
+                                "--quick");
+    assert_non_null(strstr(ran.out, "repeatable"));
+    for (char *rest = NULL, *line = strtok_r(ran.out, "\n", &rest); line && *line != ' ';
+         line = strtok_r(NULL, "\n", &rest))
+        if (strlen(line) > 120)
+            fail_msg("'%s' is longer than 120", line);
+    assert_null(strchr(ran.out, '\033')); // no terminal, no colours
+    bl_ran_free(&ran);
+}
+
+static void test_numbers_go_to_a_file_or_a_page(void **state) {
+    (void)state;
+    const char *data = bl_test_path("score.csv"), *page = bl_test_path("score.html");
+    EXPECT(0, "", "score", "gnoise", "--quick", "--only", "range", "-o", data);
+    char *text = bl_test_read(data);
+    assert_non_null(strstr(text,
+                           "\nsignal,property,verdict,against,number,value,lower,upper,"
+                           "level,samples,reason\n"));
+    assert_non_null(strstr(text, "\ngnoise,range,pass,claim,variance,0.03"));
+    free(text);
+    EXPECT(0, "", "score", "gnoise", "--quick", "--only", "range", "-o", page);
+    text = bl_test_read(page);
+    assert_non_null(strstr(text, "<!DOCTYPE html>"));
+    assert_non_null(strstr(text, "used_of_bound"));
+    assert_null(strstr(text, "<script"));
+    assert_null(strstr(text, "http"));
+    free(text);
+    unlink(data), unlink(page);
+    EXPECT(4, "cannot write", "score", "gnoise", "--full", "-o",
+           bl_test_path("no/such/score.html"));
+}
+
+static void test_claims_are_checked_a_line_a_claim(void **state) {
+    (void)state;
+    json_t *object = RUN_JSON("check", "gnoise", "--claims", "--quick");
+    static const char *const wanted[] = {"repeatable", "range", "mean", "variance", "band"};
+    const json_t *claims = json_object_get(object, "claims");
+    assert_string_equal(text_of(object, "verdict"), "pass");
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++) {
+        int found = 0;
+        for (size_t k = 0; k < json_array_size(claims); k++)
+            found |= strcmp(text_of(json_array_get(claims, k), "claim"), wanted[i]) == 0;
+        if (!found)
+            fail_msg("no claim '%s'", wanted[i]);
+    }
+    json_decref(object);
+    EXPECT(0, "variance       pass", "check", "gnoise", "--claims", "--quick");
+    const char *data = bl_test_path("claims.csv");
+    EXPECT(0, "", "check", "gnoise", "--claims", "--quick", "-o", data);
+    char *text = bl_test_read(data);
+    assert_non_null(strstr(text, "\nvariance,range,pass,"));
+    free(text);
+    unlink(data);
+}
+
+static void test_a_signal_that_states_nothing_has_no_claims(void **state) {
+    (void)state;
+    const char *image = bl_test_path("claims.exr");
+    EXPECT(0, "64 x 64", "render", "gnoise", "--width", "64", "--height", "64", "-o", image);
+    EXPECT(3, "states nothing", "check", image, "--claims", "--quick");
+    unlink(image);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_object_has_a_row_a_signal_and_a_key_a_property),
+        cmocka_unit_test(test_properties_are_chosen_by_name),
+        cmocka_unit_test(test_strict_counts_the_ideal),
+        cmocka_unit_test(test_the_table_fits_a_terminal),
+        cmocka_unit_test(test_numbers_go_to_a_file_or_a_page),
+        cmocka_unit_test(test_claims_are_checked_a_line_a_claim),
+        cmocka_unit_test(test_a_signal_that_states_nothing_has_no_claims),
+    };
+    bl_set_filter();
+    return cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+}

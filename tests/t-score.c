@@ -1,0 +1,433 @@
+// SPDX-License-Identifier: MIT
+//
+// The scorecard: its contract, that good noises keep what they claim, that broken signals are
+// caught by the right property, and that the tests of a correct signal fail as often as they say.
+#include "tests/test.h"
+
+#include <omp.h>
+#include <stdatomic.h>
+
+#include "noises/noise.h"
+#include "score/score.h"
+#include "spectra/psd.h"
+#include "tests/test_signals.h"
+
+static bl_signal *open_noise(const char *text) {
+    bl_signal *signal = NULL;
+    bl_message message = {""};
+    if (bl_noise_open(text, BL_ISA_BEST, &signal, &message) != BL_OK)
+        fail_msg("%s: %s", text, message.text);
+    return signal;
+}
+
+// The settings of a property, with its share of alpha.
+static bl_score_settings quick(double alpha) {
+    bl_score_settings settings = bl_score_default_settings();
+    settings.size = 0;
+    settings.alpha = alpha;
+    return settings;
+}
+
+static bl_score_property measure_subject(const char *name, const bl_score_subject *subject,
+                                         const bl_score_settings *settings) {
+    bl_score_property result = {.verdict = BL_SCORE_NOT_RUN};
+    bl_message message = {""};
+    const bl_property *property = bl_property_find(name);
+    assert_non_null(property);
+    if (property->measure(subject, settings, &result, &message) != BL_OK)
+        fail_msg("%s of %s: %s", name, subject->signal->text, message.text);
+    return result;
+}
+
+static bl_score_property measure(const char *name, const bl_signal *signal) {
+    bl_score_settings settings = quick(1e-9);
+    return measure_subject(name, &(bl_score_subject){.signal = signal}, &settings);
+}
+
+static void expect(const bl_score_property *result, const char *what, bl_score_verdict verdict,
+                   const char *says) {
+    if (result->verdict != verdict || !strstr(result->reason, says))
+        fail_msg("%s: %s, '%s'; expected %s and '%s'", what, bl_score_word(result->verdict),
+                 result->reason, bl_score_word(verdict), says);
+}
+
+// --- the contract ---
+
+static void test_every_property_has_a_name_and_fills_its_result(void **state) {
+    (void)state;
+    bl_signal *signal = open_noise("gnoise");
+    bl_score_subject subject = {.signal = signal};
+    bl_score_settings settings = quick(1e-6);
+    bl_score score;
+    bl_message message = {""};
+    uint64_t all = (UINT64_C(1) << bl_property_count()) - 1;
+    assert_int_equal(bl_score_measure(&subject, &settings, all, &score, &message), BL_OK);
+    for (size_t i = 0; i < bl_property_count(); i++) {
+        const bl_property *property = bl_property_at(i);
+        const bl_score_property *result = &score.properties[i];
+        assert_ptr_equal(bl_property_find(property->name), property);
+        assert_true(property->title[0] && property->question[0]);
+        if (!result->reason[0] || strcmp(result->reason, BL_SCORE_NOT_ASKED) == 0)
+            fail_msg("%s gives no reason", property->name);
+        for (size_t k = 0; k < result->count; k++)
+            assert_ptr_equal(bl_score_find(result, result->numbers[k].name), &result->numbers[k]);
+    }
+    assert_null(bl_property_at(bl_property_count()));
+    assert_int_equal(bl_score_measure(&subject, &settings, 0, &score, &message), BL_OK);
+    assert_string_equal(score.properties[0].reason, BL_SCORE_NOT_ASKED);
+    assert_int_equal(bl_score_status(&score, 1, 1), BL_OK);
+    bl_signal_free(signal);
+}
+
+static void test_the_status_counts_claims_and_with_strict_the_ideal(void **state) {
+    (void)state;
+    bl_score score = {0};
+    score.properties[0].verdict = BL_SCORE_FAIL;
+    score.properties[0].against = BL_AGAINST_IDEAL;
+    assert_int_equal(bl_score_status(&score, 1, 0), BL_OK);
+    assert_int_equal(bl_score_status(&score, 1, 1), BL_FAIL);
+    score.properties[1].verdict = BL_SCORE_INCONCLUSIVE;
+    score.properties[1].against = BL_AGAINST_CLAIM;
+    assert_int_equal(bl_score_status(&score, 1, 0), BL_INCONCLUSIVE);
+    assert_int_equal(bl_score_worse(BL_SCORE_NOT_RUN, BL_SCORE_PASS), BL_SCORE_PASS);
+    assert_int_equal(bl_score_worse(BL_SCORE_FAIL, BL_SCORE_INCONCLUSIVE), BL_SCORE_FAIL);
+}
+
+static void test_scores_do_not_depend_on_the_threads(void **state) {
+    (void)state;
+    static const char *const names[] = {"repeatable", "range", "band"};
+    bl_signal *signal = open_noise("gnoise");
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        bl_score_settings settings = quick(1e-9);
+        settings.threads = 1;
+        bl_score_property one =
+            measure_subject(names[i], &(bl_score_subject){.signal = signal}, &settings);
+        settings.threads = 3;
+        bl_score_property three =
+            measure_subject(names[i], &(bl_score_subject){.signal = signal}, &settings);
+        assert_int_equal(one.count, three.count);
+        assert_string_equal(one.reason, three.reason);
+        for (size_t k = 0; k < one.count; k++)
+            if (memcmp(&one.numbers[k].estimate, &three.numbers[k].estimate, sizeof(bl_estimate)))
+                fail_msg("%s of %s depends on the threads", one.numbers[k].name, names[i]);
+    }
+    bl_signal_free(signal);
+}
+
+// --- good signals ---
+
+// At 1e-9 a test, none of a few hundred fails by chance.
+static void test_noises_keep_their_claims(void **state) {
+    (void)state;
+    static const char *const names[] = {"repeatable", "range", "band"};
+    for (size_t n = 0; n < bl_noise_count(); n++) {
+        bl_signal *signal = open_noise(bl_noise_at(n, BL_ISA_BEST)->name);
+        for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+            bl_score_property result = measure(names[i], signal);
+            if (result.verdict == BL_SCORE_FAIL && result.against == BL_AGAINST_CLAIM)
+                fail_msg("%s of %s: %s", names[i], signal->text, result.reason);
+        }
+        bl_signal_free(signal);
+    }
+}
+
+static void test_climbing_finds_more_than_samples_do(void **state) {
+    (void)state;
+    bl_signal *signal = open_noise("gnoise");
+    bl_score_property result = measure("range", signal);
+    double high = bl_score_find(&result, "maximum")->estimate.value, at[BL_AXES] = {0};
+    assert_true(high > bl_score_find(&result, "maximum_of_samples")->estimate.value);
+    assert_true(bl_score_find(&result, "minimum")->estimate.value <
+                bl_score_find(&result, "minimum_of_samples")->estimate.value);
+    // The place and the seed that are told have the value that is told.
+    static const char *const axes[] = {"maximum_x", "maximum_y", "maximum_z"};
+    for (int a = 0; a < 3; a++)
+        at[a] = bl_score_find(&result, axes[a])->estimate.value;
+    bl_signal *there =
+        bl_signal_reseed(signal, (uint64_t)bl_score_find(&result, "maximum_seed")->estimate.value);
+    assert_near(bl_signal_value(there, at), high, 0);
+    bl_signal_free(there);
+    bl_signal_free(signal);
+}
+
+static void test_cost_is_told_and_not_judged(void **state) {
+    (void)state;
+    bl_signal *signal = open_noise("gnoise");
+    bl_score_property result = measure("cost", signal);
+    assert_int_equal(result.verdict, BL_SCORE_NOT_RUN);
+    assert_true(bl_score_find(&result, "row_ns")->estimate.value > 0);
+    assert_true(bl_score_find(&result, "points_ns")->estimate.value > 0);
+    bl_signal_free(signal);
+}
+
+// --- broken signals: a good noise with one fault ---
+
+typedef enum fault { SOUND, CALL_ORDER, BATCH, THREAD, ROWS, REFERENCE } fault;
+
+typedef struct faulty {
+    const bl_signal *noise;
+    fault fault;
+} faulty;
+
+static atomic_uint calls;
+
+static void spoil(const faulty *f, int is_row, size_t count, float *out) {
+    unsigned call = atomic_fetch_add(&calls, 1);
+    if (f->fault == CALL_ORDER && call % 5 == 4)
+        out[count / 2] += 1e-3f;
+    if (f->fault == BATCH && count > 10)
+        out[10] += 1e-3f;
+    if (f->fault == THREAD && omp_get_thread_num() == 1)
+        out[0] += 1e-3f;
+    for (size_t i = 0; f->fault == ROWS && is_row && i < count; i++)
+        out[i] += 1e-4f;
+}
+
+static void faulty_row(const void *parameters, const double start[BL_AXES],
+                       const double step[BL_AXES], size_t count, float *out) {
+    const faulty *f = parameters;
+    bl_signal_row(f->noise, start, step, count, out);
+    spoil(f, 1, count, out);
+}
+
+static void faulty_points(const void *parameters, const double *const at[BL_AXES], size_t count,
+                          float *out) {
+    const faulty *f = parameters;
+    bl_signal_points(f->noise, at, count, out);
+    spoil(f, 0, count, out);
+}
+
+static double faulty_value(const void *parameters, const double at[BL_AXES]) {
+    const faulty *f = parameters;
+    return bl_signal_value(f->noise, at) + (f->fault == REFERENCE ? 1e-4 : 0);
+}
+
+static const bl_signal_functions faulty_functions = {
+    .row = faulty_row, .points = faulty_points, .value = faulty_value};
+
+static bl_signal *make_faulty(const bl_signal *noise, fault which) {
+    faulty f = {noise, which};
+    bl_signal *signal = bl_signal_new(&faulty_functions, &f, sizeof f, "faulty");
+    assert_non_null(signal);
+    signal->dimensions = noise->dimensions;
+    signal->facts = noise->facts;
+    return signal;
+}
+
+static void test_what_cannot_be_repeated_is_caught(void **state) {
+    (void)state;
+    static const struct {
+        fault fault;
+        bl_score_verdict verdict;
+        const char *says;
+    } faults[] = {{SOUND, BL_SCORE_PASS, "the same bits"},
+                  {CALL_ORDER, BL_SCORE_FAIL, "then"},
+                  {BATCH, BL_SCORE_FAIL, "backwards"},
+                  {THREAD, BL_SCORE_FAIL, "several threads"},
+                  {ROWS, BL_SCORE_FAIL, "a row and the same places as points"},
+                  {REFERENCE, BL_SCORE_FAIL, "double reference"}};
+    bl_signal *noise = open_noise("gnoise");
+    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
+        bl_signal *signal = make_faulty(noise, faults[i].fault);
+        bl_score_property result = measure("repeatable", signal);
+        expect(&result, "repeatable", faults[i].verdict, faults[i].says);
+        bl_signal_free(signal);
+    }
+    bl_signal_free(noise);
+}
+
+static void test_another_instruction_set_with_other_bits_is_caught(void **state) {
+    (void)state;
+    bl_signal *noise = open_noise("gnoise"), *same = open_noise("gnoise"),
+              *other = open_noise("gnoise:seed=1");
+    bl_score_settings settings = quick(1e-9);
+    bl_score_subject subject = {
+        .signal = noise, .variants = {same}, .variant_names = {"twin"}, .variant_count = 1};
+    bl_score_property result = measure_subject("repeatable", &subject, &settings);
+    expect(&result, "the same", BL_SCORE_PASS, "2 instruction sets");
+    subject.variants[0] = other;
+    result = measure_subject("repeatable", &subject, &settings);
+    expect(&result, "another", BL_SCORE_FAIL, "instruction set twin");
+    bl_signal_free(noise), bl_signal_free(same), bl_signal_free(other);
+}
+
+// The verdict of one of the claims of a property.
+static bl_score_verdict claim_of(const bl_score_property *result, const char *name) {
+    for (size_t i = 0; i < result->claim_count; i++)
+        if (strcmp(result->claims[i].name, name) == 0)
+            return result->claims[i].verdict;
+    fail_msg("no claim '%s'", name);
+    return BL_SCORE_NOT_RUN;
+}
+
+static void test_a_wrong_range_mean_and_variance_are_caught(void **state) {
+    (void)state;
+    bl_signal *noise = open_noise("gnoise"), *signal = make_faulty(noise, SOUND);
+    bl_score_property result = measure("range", signal);
+    assert_int_equal(result.verdict, BL_SCORE_PASS);
+    // Between what samples show and what climbing finds.
+    double samples = bl_score_find(&result, "maximum_of_samples")->estimate.value;
+    double climbed = bl_score_find(&result, "maximum")->estimate.value;
+    signal->facts.upper = 0.5 * (samples + climbed);
+    result = measure("range", signal);
+    assert_int_equal(claim_of(&result, "range"), BL_SCORE_FAIL);
+    assert_int_equal(claim_of(&result, "mean"), BL_SCORE_PASS);
+    assert_int_equal(result.verdict, BL_SCORE_FAIL);
+    signal->facts = noise->facts;
+    signal->facts.mean = 0.05 * sqrt(noise->facts.variance);
+    result = measure("range", signal);
+    assert_int_equal(claim_of(&result, "mean"), BL_SCORE_FAIL);
+    assert_int_equal(claim_of(&result, "range"), BL_SCORE_PASS);
+    signal->facts = noise->facts;
+    signal->facts.variance *= 1.1;
+    result = measure("range", signal);
+    assert_int_equal(claim_of(&result, "variance"), BL_SCORE_FAIL);
+    assert_int_equal(claim_of(&result, "mean"), BL_SCORE_PASS);
+    // Without a claim, against the ideal: gnoise keeps to [-1, 1], normal numbers do not.
+    signal->facts = bl_facts_unknown();
+    result = measure("range", signal);
+    assert_int_equal(result.against, BL_AGAINST_IDEAL);
+    expect(&result, "gnoise", BL_SCORE_PASS, "no range is stated");
+    bl_signal_free(signal), bl_signal_free(noise);
+    signal = bl_test_white(1);
+    signal->facts = bl_facts_unknown();
+    result = measure("range", signal);
+    expect(&result, "white", BL_SCORE_FAIL, "no range is stated");
+    bl_signal_free(signal);
+    signal = bl_test_broken();
+    result = measure("range", signal);
+    expect(&result, "not finite", BL_SCORE_FAIL, "not finite");
+    bl_signal_free(signal);
+}
+
+static void test_a_band_claimed_too_strongly_is_caught(void **state) {
+    (void)state;
+    static const char *const noises[] = {"vnoise", "gnoise", "hermite"};
+    for (size_t i = 0; i < sizeof noises / sizeof *noises; i++) {
+        bl_signal *noise = open_noise(noises[i]);
+        bl_score_property result = measure("band", noise);
+        expect(&result, noises[i], BL_SCORE_PASS, "the claim");
+        noise->facts.leak_db -= 3;
+        result = measure("band", noise);
+        expect(&result, noises[i], BL_SCORE_FAIL, "the claim");
+        bl_signal_free(noise);
+    }
+    bl_signal *white = bl_test_white(1), *constant = bl_test_constant(0.5);
+    bl_score_property result = measure("band", white);
+    assert_int_equal(result.against, BL_AGAINST_IDEAL);
+    expect(&result, "white", BL_SCORE_FAIL, "the ideal");
+    result = measure("band", constant);
+    expect(&result, "constant", BL_SCORE_NOT_RUN, "constant");
+    bl_signal_free(white), bl_signal_free(constant);
+}
+
+static void test_the_edges_of_a_known_band_are_found(void **state) {
+    (void)state;
+    bl_signal *cosine = bl_test_cosine(0, 1, (const double[]){0.5, 0, 0});
+    bl_score_property result = measure("band", cosine);
+    double width = 0.05 + 4 / 128.0 + 0.01; // the smoothing and the main lobe of the window
+    assert_near(bl_score_find(&result, "edge_30db_low_x")->estimate.value, 0.5, width);
+    assert_near(bl_score_find(&result, "edge_30db_high_x")->estimate.value, 0.5, width);
+    assert_near(bl_score_find(&result, "share_0_3_to_0_7_x")->estimate.value, 1, 1e-6);
+    expect(&result, "cosine", BL_SCORE_PASS, "the ideal");
+    bl_signal_free(cosine);
+}
+
+// --- grids ---
+
+static void test_a_grid_is_measured_on_its_samples(void **state) {
+    (void)state;
+    bl_signal *image = bl_test_white_image(1, 96, 64, 0.125);
+    bl_score_property result = measure("repeatable", image);
+    expect(&result, "repeatable", BL_SCORE_PASS, "1 scale of");
+    result = measure("range", image);
+    assert_near(bl_score_find(&result, "samples")->estimate.value, 96 * 64, 0);
+    result = measure("band", image);
+    expect(&result, "band", BL_SCORE_FAIL, "the ideal");
+    assert_non_null(bl_score_find(&result, "leak_radial_db"));
+    assert_null(bl_score_find(&result, "leak_diagonal_db"));
+    bl_signal_free(image);
+    image = bl_test_white_image(1, 96, 64, 1);
+    result = measure("band", image);
+    expect(&result, "coarse", BL_SCORE_NOT_RUN, "nothing is left to judge");
+    bl_signal_free(image);
+}
+
+// --- calibration ---
+
+// A binomial count of `runs` trials passes this limit once in 1e5.
+static double most_failures(size_t runs, double share) {
+    return (double)runs * share + 4.3 * sqrt((double)runs * share * (1 - share)) + 1;
+}
+
+// Mean 0 and variance 2/3 are exact: they may fail at the share of alpha, and not more often.
+static void test_mean_and_variance_fail_as_often_as_alpha_says(void **state) {
+    (void)state;
+    size_t runs = bl_test_scaled(60, 20), failed = 0;
+    bl_score_settings settings = quick(0.1);
+    settings.threads = 1;
+    bl_signal *hat = bl_test_hat(1);
+    hat->dimensions = 1;
+    hat->facts.mean = 0;
+    hat->facts.variance = 2.0 / 3;
+    for (size_t i = 0; i < runs; i++) {
+        settings.seed = 100 + i;
+        bl_score_property result =
+            measure_subject("range", &(bl_score_subject){.signal = hat}, &settings);
+        failed += result.verdict == BL_SCORE_FAIL;
+    }
+    assert_less((double)failed, most_failures(runs, 0.1));
+    bl_signal_free(hat);
+}
+
+// The leak of the closed form through the same window, at the same guard, is exact too.
+static void test_a_true_leak_fails_as_often_as_alpha_says(void **state) {
+    (void)state;
+    size_t runs = bl_test_scaled(60, 20), failed = 0, passed = 0;
+    bl_score_settings settings = quick(0.1);
+    settings.threads = 1;
+    bl_signal *hat = bl_test_hat(1);
+    hat->dimensions = 1;
+    bl_psd_settings line = bl_psd_default_settings(1);
+    line.rate = 8;
+    line.size = 1024;
+    line.averages = 16;
+    bl_psd psd;
+    assert_int_equal(bl_psd_measure(hat, &line, &psd, NULL), BL_OK);
+    bl_band band = {.from = 0, .to = 1 + bl_psd_guard(&psd)};
+    bl_psd_band(&psd, &band);
+    bl_psd_free(&psd);
+    hat->facts.band_from = 0;
+    hat->facts.band_to = 1;
+    hat->facts.leak_db = 10 * log10(1 - band.theory);
+    for (size_t i = 0; i < runs; i++) {
+        settings.seed = 100 + i;
+        bl_score_property result =
+            measure_subject("band", &(bl_score_subject){.signal = hat}, &settings);
+        failed += result.verdict == BL_SCORE_FAIL;
+        passed += result.verdict == BL_SCORE_PASS;
+    }
+    assert_less((double)failed, most_failures(runs, 0.1));
+    assert_true(passed + failed == runs);
+    bl_signal_free(hat);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_property_has_a_name_and_fills_its_result),
+        cmocka_unit_test(test_the_status_counts_claims_and_with_strict_the_ideal),
+        cmocka_unit_test(test_scores_do_not_depend_on_the_threads),
+        cmocka_unit_test(test_noises_keep_their_claims),
+        cmocka_unit_test(test_climbing_finds_more_than_samples_do),
+        cmocka_unit_test(test_cost_is_told_and_not_judged),
+        cmocka_unit_test(test_what_cannot_be_repeated_is_caught),
+        cmocka_unit_test(test_another_instruction_set_with_other_bits_is_caught),
+        cmocka_unit_test(test_a_wrong_range_mean_and_variance_are_caught),
+        cmocka_unit_test(test_a_band_claimed_too_strongly_is_caught),
+        cmocka_unit_test(test_the_edges_of_a_known_band_are_found),
+        cmocka_unit_test(test_a_grid_is_measured_on_its_samples),
+        cmocka_unit_test(test_mean_and_variance_fail_as_often_as_alpha_says),
+        cmocka_unit_test(test_a_true_leak_fails_as_often_as_alpha_says),
+    };
+    return bl_run_tests(tests);
+}
