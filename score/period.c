@@ -67,6 +67,28 @@ static int repeats(const walk *w, double shift) {
     return 0; // too nearly constant to tell
 }
 
+// Whether the float points repeat too.
+static int points_repeat(const walk *w, double shift) {
+    bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 10 + w->axis);
+    double column[BL_AXES][2 * EQUAL_PLACES];
+    float value[2 * EQUAL_PLACES];
+    int equal = 1;
+    for (int i = 0; i < EQUAL_PLACES; i++) {
+        double at[BL_AXES];
+        choose_place(w, &random, at);
+        for (unsigned a = 0; a < BL_AXES; a++) {
+            column[a][i] = at[a];
+            column[a][EQUAL_PLACES + i] = at[a] + (a == w->axis ? shift * w->look->cell : 0);
+        }
+    }
+    bl_signal_points(w->signal, (const double *const[]){column[0], column[1], column[2], column[3]},
+                     2 * EQUAL_PLACES, value);
+    for (int i = 0; i < EQUAL_PLACES; i++)
+        equal &=
+            fabs((double)value[i] - (double)value[EQUAL_PLACES + i]) <= 10 * EQUAL * w->look->range;
+    return equal;
+}
+
 // The smallest repeat in a row of cells; 0: none; -1: out of memory.
 static double walk_cells(const walk *w, size_t cells) {
     bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 20);
@@ -190,7 +212,9 @@ static bl_status measure_axis(const walk *w, axis_result *r, bl_message *message
     double cell = w->look->cell;
     r->stated = w->signal->facts.period[w->axis] / cell;
     r->repeat = smallest_repeat(w, r->stated);
-    r->is_true = !(r->stated > 0) || (repeats(w, r->stated) && repeats(w, -r->stated));
+    r->is_true = 1;
+    for (int sign = -1; sign <= 1 && r->stated > 0; sign += 2)
+        r->is_true &= repeats(w, sign * r->stated) && points_repeat(w, sign * r->stated);
     if (r->repeat < 0)
         return bl_report(message, BL_DEVICE, "out of memory for a row");
     if (r->stated > 0 || r->repeat > 0)

@@ -71,7 +71,7 @@ void bl_score_fresh_close(bl_score_fresh *fresh) {
 }
 
 double bl_score_base(bl_random *random, double cell) {
-    return cell * (floor(2e6 * bl_random_unit(random)) - 1e6);
+    return cell * (floor(0x1p16 * bl_random_unit(random)) - 0x1p15);
 }
 
 double bl_score_t(const double *values, size_t n, size_t stride) {

@@ -55,7 +55,8 @@ typedef struct bl_score_fresh {
 bl_score_fresh bl_score_fresh_open(const bl_signal *signal, uint64_t seed);
 void bl_score_fresh_close(bl_score_fresh *fresh);
 
-// A whole number of cells within 10^6 of 0, in units.
+// A whole number of cells within 2^15 of 0, in units: near enough for noises of float coordinates,
+// whose resolution far out is the question of another property.
 double bl_score_base(bl_random *random, double cell);
 
 // Mean of n numbers, `stride` apart, over its standard error: 0 for numbers that are all 0, and

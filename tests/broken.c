@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A wrapper has a noise of the registry inside, opened from its text with the seed of its own
-// block, and works on coordinates, values and gradients around it. It takes over all facts.
+// block, and works on coordinates, values and gradients around it. It takes over all facts, but for
+// the period that it hides.
 #include "tests/broken.h"
 
 #include "tests/test.h"
@@ -23,8 +24,8 @@ typedef struct entry {
 static const entry entries[BL_BROKEN_COUNT] = {
     [BL_BROKEN_NOTHING] = {"nothing", NULL, "gnoise"},
     [BL_BROKEN_RANGE] = {"range", "range", "gnoise"},
-    [BL_BROKEN_PERIOD_SHORT] = {"period-short", "period", "gnoise"},
-    [BL_BROKEN_PERIOD_LONG] = {"period-long", "period", "gnoise"},
+    [BL_BROKEN_PERIOD_SHORT] = {"period-short", "period", "scnoise:period=256,0,0"},
+    [BL_BROKEN_PERIOD_LONG] = {"period-long", "period", "scnoise:period=524288,0,0"},
     [BL_BROKEN_JUMP] = {"jump", "continuity", "gnoise"},
     [BL_BROKEN_JUMP_ONCE] = {"jump-once", "continuity", "gnoise"},
     [BL_BROKEN_KINK] = {"kink", "continuity", "gnoise"},
@@ -44,13 +45,9 @@ static double wrap(double x, double period) {
 }
 
 static void bend_coordinates(const block *b, double at[BL_AXES]) {
-    // 2^40 at most: the fraction stays.
+    // 2^22 at most: the fraction stays.
     if (b->which == BL_BROKEN_SEED_SHIFT)
-        at[0] += (double)(b->seed & 0xff) + 1e4 * (double)(bl_stream(b->seed >> 8, 0) >> 40);
-    if (b->which == BL_BROKEN_PERIOD_SHORT)
-        at[0] = wrap(at[0], 256);
-    if (b->which == BL_BROKEN_PERIOD_LONG)
-        at[0] = wrap(at[0], 524288);
+        at[0] += (double)(b->seed & 0xff) + 1024 * (double)(bl_stream(b->seed >> 8, 0) >> 52);
     if (b->which == BL_BROKEN_STRETCH)
         at[0] *= 1.02;
     for (int a = 0; a < BL_AXES && b->which == BL_BROKEN_FLOAT; a++)
@@ -143,7 +140,9 @@ static bl_status build(void *parameters, bl_message *message) {
         seed &= ~(UINT64_C(1) << 37);
     if (b->which == BL_BROKEN_SEED_SHIFT)
         seed = 0;
-    snprintf(text, sizeof text, "%s:seed=%llu", entries[b->which].text, (unsigned long long)seed);
+    const char *inner = entries[b->which].text;
+    snprintf(text, sizeof text, "%s%cseed=%llu", inner, strchr(inner, ':') ? ',' : ':',
+             (unsigned long long)seed);
     return bl_noise_open(text, BL_ISA_BEST, &b->inner, message);
 }
 
@@ -179,6 +178,8 @@ bl_signal *bl_broken_signal(bl_broken which) {
     signal->dimensions = made->inner->dimensions;
     signal->name = "broken";
     signal->facts = made->inner->facts;
+    if (which == BL_BROKEN_PERIOD_SHORT || which == BL_BROKEN_PERIOD_LONG)
+        signal->facts.period[0] = 0;
     return signal;
 }
 
@@ -188,4 +189,8 @@ const char *bl_broken_name(bl_broken which) {
 
 const char *bl_broken_property(bl_broken which) {
     return entries[which].property;
+}
+
+const char *bl_broken_inner(bl_broken which) {
+    return entries[which].text;
 }

@@ -10,7 +10,7 @@
 typedef enum bl_broken {
     BL_BROKEN_NOTHING,      // the wrapper itself, around gnoise
     BL_BROKEN_RANGE,        // gnoise times 3/2, with its bound                         range
-    BL_BROKEN_PERIOD_SHORT, // gnoise that repeats after 2^8 cells along x              period
+    BL_BROKEN_PERIOD_SHORT, // scnoise that repeats after 2^8 cells along x             period
     BL_BROKEN_PERIOD_LONG,  // ... after 2^19 cells                                     period
     BL_BROKEN_JUMP,         // gnoise that jumps by 0.1 % of its range at x = k + 0.3   continuity
     BL_BROKEN_JUMP_ONCE,    // ... at the one plane x = 3                               continuity
@@ -30,5 +30,7 @@ bl_signal *bl_broken_signal(bl_broken which);
 const char *bl_broken_name(bl_broken which);
 // The property that must find it: its name in the registry of the scorecard; NULL for none.
 const char *bl_broken_property(bl_broken which);
+// The text of the noise inside.
+const char *bl_broken_inner(bl_broken which);
 
 #endif
