@@ -252,8 +252,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         return BL_OK;
     }
     directions d = directions_of(look.dimensions);
-    size_t count = (size_t)bl_score_pick(settings, 192, 512, 4096);
-    size_t rows = (size_t)bl_score_pick(settings, 8, 20, 64);
+    size_t count = (size_t)bl_score_pick(settings, 128, 512, 4096);
+    size_t rows = (size_t)bl_score_pick(settings, 6, 20, 64);
     batch *batches = malloc(count * sizeof *batches);
     double *room = malloc(2 * count * sizeof *room);
     if (batches && room) {

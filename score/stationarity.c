@@ -205,7 +205,10 @@ static double add_variances(const survey *s, const batch *b, size_t count, doubl
     for (unsigned halves = 0; halves <= dimensions; halves++) {
         class_variance(s, b, count, halves, room);
         variance[halves] = bl_mean_estimate(room, count, level);
+        // Where the noise is 0, rounding leaves either sign.
+        variance[halves].value = fmax(0, variance[halves].value);
         variance[halves].lower = fmax(0, variance[halves].lower);
+        variance[halves].upper = fmax(0, variance[halves].upper);
         bl_score_add(result, names[dimensions][halves], variance[halves]);
         if (variance[halves].value < variance[least].value)
             least = halves;
