@@ -61,24 +61,33 @@ typedef struct descent {
     double t; // its middle in the end
 } descent;
 
+static void add_level(descent *d, double h, const double v[4]) {
+    d->h[d->levels] = h;
+    d->third[d->levels] = third_difference(v);
+    d->step[d->levels] = largest_step(v);
+    d->levels++;
+}
+
+// From the window of four samples of the line that begins at t.
 static descent descend(const line *l, double t) {
     descent d = {.levels = 0};
-    double width = 3 * l->h;
-    for (; d.levels < LEVELS && width > 0x1p-34 * l->h * PER_CELL; d.levels++) {
-        double v[FINE + 1], h = width / FINE, at[BL_AXES], largest = -1;
+    double v[FINE + 1], at[BL_AXES], width = 3 * l->h;
+    for (int i = 0; i < 4; i++) {
+        place_of(l, t + i * l->h, at);
+        v[i] = bl_signal_value(l->signal, at);
+    }
+    add_level(&d, l->h, v);
+    while (d.levels < LEVELS && width > 0x1p-34 * l->h * PER_CELL) {
+        double h = width / FINE;
         int best = 0;
         for (int i = 0; i <= FINE; i++) {
             place_of(l, t + i * h, at);
             v[i] = bl_signal_value(l->signal, at);
         }
-        for (int i = 0; i + 3 <= FINE; i++)
-            if (third_difference(v + i) > largest) {
-                largest = third_difference(v + i);
+        for (int i = 1; i + 3 <= FINE; i++)
+            if (third_difference(v + i) > third_difference(v + best))
                 best = i;
-            }
-        d.h[d.levels] = h;
-        d.third[d.levels] = largest;
-        d.step[d.levels] = largest_step(v + best);
+        add_level(&d, h, v + best);
         t += best * h;
         width = 3 * h;
     }
