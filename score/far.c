@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+//
+// Far out: what is left of the noise at large coordinates.
+//
+// In one cell at each power of ten from 10^3 to 10^15 (and at 2^31 and 2^53) along each axis, 256
+// places are sampled. Of the coordinates that a double tells apart there, how many give different
+// values, and how many did in a cell near 0? Float points are compared with the reference at the
+// same coordinates. And the variance over fresh seeds and places near 10^6 is compared with that
+// near 0. NaN and infinite coordinates must give NaN.
+//
+// Judged against facts.far, where it is stated: values stay distinct, by nine tenths of what they
+// are near 0, in every cell up to a quarter of it. Else against the ideal: by one half up to 10^6.
+// In both cases the variance near 10^6 must be within 20 % of that near 0; its test, Student's t
+// over batches of a fresh seed each, has the whole alpha.
+#include "score/places.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/grid.h"
+
+enum { PLACES = 256, NEAR = 8, FIRST = 3, LAST = 15, SCALES = LAST - FIRST + 1, EACH = 64 };
+#define FAR_PLACE 1e6
+
+static const char *const share_names[SCALES + 2] = {
+    "distinct_at_1e3",  "distinct_at_1e4",  "distinct_at_1e5",  "distinct_at_1e6",
+    "distinct_at_1e7",  "distinct_at_1e8",  "distinct_at_1e9",  "distinct_at_1e10",
+    "distinct_at_1e11", "distinct_at_1e12", "distinct_at_1e13", "distinct_at_1e14",
+    "distinct_at_1e15", "distinct_at_2e31", "distinct_at_2e53"};
+static const char *const error_names[SCALES + 2] = {
+    "error_at_1e3",  "error_at_1e4",  "error_at_1e5",  "error_at_1e6",  "error_at_1e7",
+    "error_at_1e8",  "error_at_1e9",  "error_at_1e10", "error_at_1e11", "error_at_1e12",
+    "error_at_1e13", "error_at_1e14", "error_at_1e15", "error_at_2e31", "error_at_2e53"};
+
+// Of one cell: the share of distinct values, by the reference or by points, whatever is less, and
+// the largest difference of the two.
+typedef struct view {
+    double share, error;
+    int is_finite;
+} view;
+
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static size_t count_distinct(const double *values, size_t count) {
+    double sorted[PLACES];
+    size_t distinct = count > 0;
+    memcpy(sorted, values, count * sizeof *values);
+    qsort(sorted, count, sizeof *sorted, ascending);
+    for (size_t i = 1; i < count; i++)
+        distinct += sorted[i] != sorted[i - 1];
+    return distinct;
+}
+
+// The coordinates of a cell at `far` along an axis that a double tells apart; the others are
+// random.
+static size_t choose_places(double far, unsigned axis, double cell, bl_random *random,
+                            double column[BL_AXES][PLACES]) {
+    double base = cell * floor(far / cell), across[BL_AXES];
+    size_t count = 0;
+    for (int a = 0; a < BL_AXES; a++)
+        across[a] = cell * 16 * (bl_random_unit(random) - 0.5);
+    for (int i = 0; i < PLACES; i++) {
+        double x = base + cell * ((double)i / PLACES);
+        if ((count && x == column[axis][count - 1]) || x >= base + cell)
+            continue;
+        for (int a = 0; a < BL_AXES; a++)
+            column[a][count] = across[a];
+        column[axis][count++] = x;
+    }
+    return count;
+}
+
+static view view_of(const bl_signal *signal, double far, unsigned axis, double cell,
+                    bl_random random) {
+    double column[BL_AXES][PLACES], reference[PLACES], widened[PLACES];
+    float points[PLACES];
+    view v = {.is_finite = 1};
+    size_t count = choose_places(far, axis, cell, &random, column);
+    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
+                     count, points);
+    for (size_t i = 0; i < count; i++) {
+        const double at[BL_AXES] = {column[0][i], column[1][i], column[2][i], column[3][i]};
+        reference[i] = bl_signal_value(signal, at);
+        widened[i] = (double)points[i];
+        v.error = fmax(v.error, fabs(widened[i] - reference[i]));
+        v.is_finite = v.is_finite && isfinite(reference[i]) && isfinite(widened[i]);
+    }
+    size_t by_value = count_distinct(reference, count), by_points = count_distinct(widened, count);
+    v.share = count ? (double)(by_value < by_points ? by_value : by_points) / (double)count : 0;
+    return v;
+}
+
+static double scale_of(int index) {
+    return index < SCALES ? pow(10, FIRST + index) : index == SCALES ? 0x1p31 : 0x1p53;
+}
+
+// --- the variance far out -----------------------------------------------------------------------
+
+// The mean of squared deviations at random places near 0, and near the far place on all axes.
+static void take(const bl_signal *signal, const bl_score_look *look, bl_random random, double *near,
+                 double *far) {
+    double column[BL_AXES][2 * EACH];
+    float value[2 * EACH];
+    bl_score_fresh fresh = bl_score_fresh_open(signal, bl_random_bits(&random));
+    for (size_t i = 0; i < 2 * EACH; i++)
+        for (int a = 0; a < BL_AXES; a++)
+            column[a][i] = look->cell * (2048 * (bl_random_unit(&random) - 0.5)) +
+                           (i < EACH ? 0 : look->cell * FAR_PLACE);
+    bl_signal_points(fresh.signal,
+                     (const double *const[]){column[0], column[1], column[2], column[3]}, 2 * EACH,
+                     value);
+    bl_score_fresh_close(&fresh);
+    *near = *far = 0;
+    for (size_t i = 0; i < 2 * EACH; i++) {
+        double deviation = (double)value[i] - look->mean;
+        *(i < EACH ? near : far) += deviation * deviation / EACH;
+    }
+}
+
+// The ratio of the two, at a level.
+static bl_status variance_ratio(const bl_signal *signal, const bl_score_settings *settings,
+                                const bl_score_look *look, bl_estimate *shown, bl_estimate *judged,
+                                bl_message *message, bl_score_property *result) {
+    size_t count = (size_t)bl_score_pick(settings, 256, 1024, 8192);
+    double *room = malloc(2 * count * sizeof *room);
+    if (!room)
+        return bl_score_no_memory(result, message);
+#pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic, 8)
+    for (size_t i = 0; i < count; i++)
+        take(signal, look, bl_score_random(settings, BL_SCORE_STREAM_FAR, 1000 + i), &room[i],
+             &room[count + i]);
+    *shown = bl_ratio_estimate(room + count, room, count, settings->level);
+    *judged = bl_ratio_estimate(room + count, room, count, 1 - settings->alpha);
+    free(room);
+    return BL_OK;
+}
+
+// --- the verdict --------------------------------------------------------------------------------
+
+// Whether NaN and infinity on any axis give NaN, in all three ways to evaluate.
+static int gives_nan(const bl_signal *signal, const bl_score_look *look) {
+    static const double bad[] = {NAN, INFINITY, -INFINITY};
+    for (unsigned a = 0; a < look->dimensions; a++)
+        for (int k = 0; k < 3; k++) {
+            double at[BL_AXES] = {0.3, 0.4, 0.6, 0.7}, step[BL_AXES] = {0};
+            float row, points;
+            at[a] = bad[k];
+            bl_signal_row(signal, at, step, 1, &row);
+            bl_signal_points(signal, (const double *const[]){&at[0], &at[1], &at[2], &at[3]}, 1,
+                             &points);
+            if (!isnan(bl_signal_value(signal, at)) || !isnan(row) || !isnan(points))
+                return 0;
+        }
+    return 1;
+}
+
+typedef struct summary {
+    double share[SCALES + 2], error[SCALES + 2]; // share: over that near 0
+    double lost;                                 // the first power of ten with too few, or 0
+    int is_finite;
+} summary;
+
+static summary summarise(const bl_signal *signal, const bl_score_settings *settings,
+                         const bl_score_look *look, double least, double limit) {
+    summary s = {.is_finite = 1};
+    view views[SCALES + 2 + NEAR][BL_AXES];
+    unsigned axes = look->dimensions, count = (SCALES + 2 + NEAR) * axes;
+#pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)
+    for (unsigned n = 0; n < count; n++) {
+        unsigned index = n / axes, axis = n % axes;
+        double far = index < SCALES + 2 ? scale_of((int)index) : 7.0 * (index - SCALES) - 21;
+        views[index][axis] = view_of(signal, far, axis, look->cell,
+                                     bl_score_random(settings, BL_SCORE_STREAM_FAR, axis));
+    }
+    double near = 1;
+    for (unsigned n = 0; n < NEAR * axes; n++)
+        near = fmin(near, views[SCALES + 2 + n / axes][n % axes].share);
+    // A staircase has more steps in one cell than in the next.
+    least = near < 0.9 ? fmin(least, 0.5) : least;
+    for (unsigned i = 0; i < SCALES + 2; i++) {
+        s.share[i] = 1;
+        for (unsigned axis = 0; axis < axes; axis++) {
+            s.share[i] = fmin(s.share[i], fmin(1, views[i][axis].share / near));
+            s.error[i] = fmax(s.error[i], views[i][axis].error);
+            s.is_finite = s.is_finite && (scale_of((int)i) > limit || views[i][axis].is_finite);
+        }
+        if (i < SCALES && scale_of((int)i) <= limit && s.share[i] < least && s.lost == 0)
+            s.lost = scale_of((int)i);
+    }
+    return s;
+}
+
+static void add_numbers(const summary *s, bl_score_property *result) {
+    double reach = 100;
+    for (int i = 0; i < SCALES + 2; i++) {
+        bl_score_add_seen(result, share_names[i], s->share[i]);
+        bl_score_add_seen(result, error_names[i], s->error[i]);
+        if (i < SCALES && s->share[i] >= 0.5 && reach * 10 >= scale_of(i) * (1 - 1e-9))
+            reach = scale_of(i);
+    }
+    bl_score_add_seen(result, "half_distinct_up_to", reach);
+    snprintf(result->cell, sizeof result->cell, "%.0e", reach);
+}
+
+static void judge(const bl_signal *signal, const summary *s, double limit, int is_nan,
+                  const bl_estimate *ratio, bl_score_property *result) {
+    bl_score_against against = signal->facts.far > 0 ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL;
+    if (s->lost > 0)
+        bl_score_judge(result, BL_SCORE_FAIL, against,
+                       "at %.0e the values in a cell are no longer distinct; %s to %.3g", s->lost,
+                       against == BL_AGAINST_CLAIM ? "stated" : "wanted", limit);
+    else if (!s->is_finite)
+        bl_score_judge(result, BL_SCORE_FAIL, against, "values are not finite below %.3g", limit);
+    else if (!is_nan)
+        bl_score_judge(result, BL_SCORE_FAIL, against,
+                       "a coordinate that is NaN or infinite does not give NaN");
+    else if (ratio->lower > 1.2 || ratio->upper < 0.8)
+        bl_score_judge(result, BL_SCORE_FAIL, against,
+                       "the variance near 1e6 is %.3g times that near 0", ratio->value);
+    else
+        bl_score_judge(result, BL_SCORE_PASS, against,
+                       "values stay distinct up to %.3g, and the variance near 1e6 is %.3g times "
+                       "that near 0",
+                       limit, ratio->value);
+}
+
+static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
+                         bl_score_property *result, bl_message *message) {
+    const bl_signal *signal = subject->signal;
+    bl_score_look look;
+    bl_estimate shown = {.value = NAN}, judged = shown;
+    if (!bl_score_look_at(subject, settings, result, &look))
+        return BL_OK;
+    int is_stated = signal->facts.far > 0;
+    double limit = is_stated ? signal->facts.far / 4 : FAR_PLACE;
+    if (variance_ratio(signal, settings, &look, &shown, &judged, message, result) != BL_OK)
+        return BL_DEVICE;
+    summary s = summarise(signal, settings, &look, is_stated ? 0.9 : 0.5, limit);
+    add_numbers(&s, result);
+    bl_score_add(result, "variance_ratio_at_1e6", shown);
+    judge(signal, &s, limit, gives_nan(signal, &look), &judged, result);
+    return BL_OK;
+}
+
+BL_PROPERTY_DESCRIPTOR(far) = {
+    .name = "far",
+    .title = "far",
+    .question = "Is the noise as good at large coordinates as near 0?",
+    .measure = measure,
+};

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+//
+// Isotropy: a spectrum without a direction.
+//
+// The verdict comes from the structure function S(u, h) = E[(n(p + h u) - n(p))^2], which is
+// 2 (C(0) - C(h u)) and, at short lags, h^2 times the variance of the derivative along u, a second
+// moment of the spectrum. Each batch draws a fresh seed and some places, and samples rows from them
+// along the axes and the diagonals of faces (and, in space, of the body), at the lags 1/4, 1/2, 1
+// and 2 cells. The contrasts
+//
+//   sum_d (u_a^2 - mean) S_d        a stretch along axis a
+//   sum_d (u_a u_b - mean) S_d      a stretch along a diagonal
+//   sum_d (sum_a u_a^4 - mean) S_d  axes against diagonals: the cubic lattice
+//   S_d - mean                      anything else in direction d
+//
+// are 0 over seeds and places for an isotropic noise; each is tested by Student's t over the
+// batches, and all tests of a signal share alpha. For information: the anisotropy of the rings of
+// the power spectrum of a slice (Ulichney 1987), with the floor of as many averages.
+#include "score/places.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/grid.h"
+#include "spectra/psd.h"
+
+enum { DIRECTIONS = 16, LAGS = 4, LENGTH = 64, CONTRASTS = 4 + 6 + 1 + DIRECTIONS };
+
+// Unit vectors: `axes` axes, the diagonals of the faces, and in three dimensions of the body.
+typedef struct directions {
+    double unit[DIRECTIONS][BL_AXES];
+    unsigned count, axes;
+} directions;
+
+static void add_direction(directions *d, const double sign[BL_AXES]) {
+    double square = 0;
+    for (int a = 0; a < BL_AXES; a++)
+        square += sign[a] * sign[a];
+    for (int a = 0; a < BL_AXES; a++)
+        d->unit[d->count][a] = sign[a] / sqrt(square);
+    d->count++;
+}
+
+static directions directions_of(unsigned dimensions) {
+    directions d = {.axes = dimensions};
+    for (unsigned a = 0; a < dimensions; a++) {
+        double sign[BL_AXES] = {0};
+        sign[a] = 1;
+        add_direction(&d, sign);
+    }
+    for (unsigned a = 0; a < dimensions; a++)
+        for (unsigned b = 0; b < a; b++)
+            for (int minus = 0; minus < 2; minus++) {
+                double sign[BL_AXES] = {0};
+                sign[a] = 1;
+                sign[b] = minus ? -1 : 1;
+                add_direction(&d, sign);
+            }
+    for (unsigned n = 0; n < 4 && dimensions == 3; n++)
+        add_direction(&d, (const double[BL_AXES]){1, n & 1 ? -1 : 1, n & 2 ? -1 : 1, 0});
+    return d;
+}
+
+// Rows of weights over the directions that sum to 0; returns how many.
+static unsigned contrasts_of(const directions *d, double weight[CONTRASTS][DIRECTIONS]) {
+    unsigned count = 0;
+    for (unsigned a = 0; a < d->axes; a++)
+        for (unsigned b = 0; b <= a; b++, count++)
+            for (unsigned n = 0; n < d->count; n++)
+                weight[count][n] = d->unit[n][a] * d->unit[n][b];
+    for (unsigned n = 0; n < d->count; n++)
+        weight[count][n] = n < d->axes ? 1.0 : 0.0;
+    count++;
+    for (unsigned one = 0; one < d->count; one++, count++)
+        for (unsigned n = 0; n < d->count; n++)
+            weight[count][n] = n == one;
+    for (unsigned c = 0; c < count; c++) {
+        double mean = 0;
+        for (unsigned n = 0; n < d->count; n++)
+            mean += weight[c][n] / d->count;
+        for (unsigned n = 0; n < d->count; n++)
+            weight[c][n] -= mean;
+    }
+    return count;
+}
+
+// Of one batch: the structure function in each direction at each lag.
+typedef struct batch {
+    double structure[LAGS][DIRECTIONS];
+} batch;
+
+static void take_row(const bl_signal *signal, const double start[BL_AXES], const double *unit,
+                     double cell, double structure[LAGS], double weight) {
+    float value[LENGTH];
+    double step[BL_AXES];
+    for (int a = 0; a < BL_AXES; a++)
+        step[a] = unit[a] * cell / 4;
+    bl_signal_row(signal, start, step, LENGTH, value);
+    for (unsigned lag = 0; lag < LAGS; lag++) {
+        size_t apart = (size_t)1 << lag, pairs = LENGTH - apart;
+        double sum = 0;
+        for (size_t i = 0; i < pairs; i++) {
+            double difference = (double)value[i + apart] - (double)value[i];
+            sum += difference * difference;
+        }
+        structure[lag] += sum / (double)pairs * weight;
+    }
+}
+
+static void take(const bl_signal *signal, const directions *d, const bl_score_look *look,
+                 size_t rows, bl_random random, batch *b) {
+    bl_score_fresh fresh = bl_score_fresh_open(signal, bl_random_bits(&random));
+    memset(b, 0, sizeof *b);
+    for (unsigned n = 0; n < d->count; n++) {
+        double structure[LAGS] = {0};
+        for (size_t row = 0; row < rows; row++) {
+            double start[BL_AXES] = {0};
+            for (unsigned a = 0; a < look->dimensions; a++)
+                start[a] =
+                    bl_score_base(&random, look->cell) + look->cell * 16 * bl_random_unit(&random);
+            take_row(fresh.signal, start, d->unit[n], look->cell, structure, 1.0 / (double)rows);
+        }
+        for (unsigned lag = 0; lag < LAGS; lag++)
+            b->structure[lag][n] = structure[lag];
+    }
+    bl_score_fresh_close(&fresh);
+}
+
+// The mean structure function of the directions from `from` up to `to`, over that of the others
+// from `against` on, in dB.
+static bl_estimate ratio_db(const batch *b, size_t count, unsigned lag, const unsigned range[4],
+                            double level, double *room) {
+    memset(room, 0, 2 * count * sizeof *room);
+    for (size_t i = 0; i < count; i++) {
+        for (unsigned n = range[0]; n < range[1]; n++)
+            room[i] += b[i].structure[lag][n] / (range[1] - range[0]);
+        for (unsigned n = range[2]; n < range[3]; n++)
+            room[count + i] += b[i].structure[lag][n] / (range[3] - range[2]);
+    }
+    return bl_score_db(bl_ratio_estimate(room, room + count, count, level));
+}
+
+// Returns the ratio of axes to diagonals at the lag where they differ most.
+static double add_ratios(const batch *b, size_t count, const directions *d, double level,
+                         double *room, bl_score_property *result) {
+    static const char *const lags[LAGS] = {"axes_to_diagonals_db_quarter",
+                                           "axes_to_diagonals_db_half", "axes_to_diagonals_db_one",
+                                           "axes_to_diagonals_db_two"};
+    static const char *const axes[] = {"x_to_other_axes_db", "y_to_other_axes_db",
+                                       "z_to_other_axes_db", "w_to_other_axes_db"};
+    double largest = 0;
+    for (unsigned lag = 0; lag < LAGS; lag++) {
+        const unsigned range[] = {0, d->axes, d->axes, d->count};
+        bl_estimate ratio = ratio_db(b, count, lag, range, level, room);
+        bl_score_add(result, lags[lag], ratio);
+        largest = fabs(ratio.value) > fabs(largest) ? ratio.value : largest;
+    }
+    for (unsigned a = 0; a < d->axes; a++) {
+        // The axis over the mean of all axes, which is m/dims of it: solved for the other axes.
+        bl_estimate all = ratio_db(b, count, 0, (unsigned[]){a, a + 1, 0, d->axes}, level, room);
+        double *limit[] = {&all.value, &all.lower, &all.upper};
+        for (int k = 0; k < 3; k++) {
+            double share = pow(10, *limit[k] / 10) / d->axes;
+            *limit[k] = 10 * log10(share / fmax(0, 1 - share) * (d->axes - 1));
+        }
+        bl_score_add(result, axes[a], all);
+    }
+    return largest;
+}
+
+// The anisotropy of the rings below Nyquist, weighted by their power, and the floor. A signal whose
+// spectrum cannot be measured has neither.
+static void add_rings(const bl_signal *signal, const bl_score_settings *settings,
+                      const bl_score_look *look, bl_score_property *result) {
+    bl_psd_settings slice = bl_psd_default_settings(2);
+    bl_psd psd;
+    slice.rate = 4 / look->cell;
+    slice.size = (size_t)bl_score_pick(settings, 128, 256, 512);
+    slice.averages = 16;
+    slice.seed = settings->seed;
+    slice.level = settings->level;
+    slice.threads = settings->threads;
+    if (bl_psd_measure(signal, &slice, &psd, NULL) != BL_OK)
+        return;
+    double power = 0, measured = 0, floor_level = 0;
+    for (size_t k = 1; k < psd.count; k++)
+        if (isfinite(psd.anisotropy_db[k]) && isfinite(psd.anisotropy_floor_db[k])) {
+            double weight = psd.psd[k] * psd.measure[k];
+            power += weight;
+            measured += weight * pow(10, psd.anisotropy_db[k] / 10);
+            floor_level += weight * pow(10, psd.anisotropy_floor_db[k] / 10);
+        }
+    bl_score_add_seen(result, "rings_anisotropy_db", 10 * log10(measured / power));
+    bl_score_add_seen(result, "rings_floor_db", 10 * log10(floor_level / power));
+    bl_psd_free(&psd);
+}
+
+static void judge(const bl_signal *signal, const batch *b, size_t count, const directions *d,
+                  const bl_score_settings *settings, double *room, bl_score_property *result) {
+    static const double lag_length[LAGS] = {0.25, 0.5, 1, 2};
+    bl_score_against against = signal->facts.isotropic == 1 ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL;
+    double weight[CONTRASTS][DIRECTIONS], largest = 0, worst_lag = 0;
+    unsigned contrasts = contrasts_of(d, weight), worst = 0;
+    double limit = bl_score_t_limit(settings->alpha, (double)contrasts * LAGS, count);
+    for (unsigned c = 0; c < contrasts; c++)
+        for (unsigned lag = 0; lag < LAGS; lag++) {
+            for (size_t i = 0; i < count; i++) {
+                room[i] = 0;
+                for (unsigned n = 0; n < d->count; n++)
+                    room[i] += weight[c][n] * b[i].structure[lag][n];
+            }
+            double t = bl_score_t(room, count, 1);
+            if (isnan(t)) {
+                bl_score_not_finite(result);
+                return;
+            }
+            if (fabs(t) > fabs(largest))
+                largest = t, worst = c, worst_lag = lag_length[lag];
+        }
+    double ratio = add_ratios(b, count, d, settings->level, room, result);
+    unsigned quadratic = d->axes * (d->axes + 1) / 2;
+    bl_score_add_seen(result, "largest_deviate", largest);
+    bl_score_add_seen(result, "limit_deviate", limit);
+    snprintf(result->cell, sizeof result->cell, "%+.2f dB", ratio);
+    if (fabs(largest) > limit)
+        bl_score_judge(result, BL_SCORE_FAIL, against,
+                       "at the lag of %g cells, differences %s deviate by %.1f standard errors; "
+                       "axes to diagonals: %+.2f dB",
+                       worst_lag,
+                       worst < quadratic    ? "along an axis or a diagonal (a stretch)"
+                       : worst == quadratic ? "along the axes against the diagonals"
+                                            : "in one direction",
+                       largest, ratio);
+    else
+        bl_score_judge(result, BL_SCORE_PASS, against,
+                       "differences are of one size in %u directions at four lags, as far as %zu "
+                       "batches can tell; axes to diagonals: %+.2f dB",
+                       d->count, count, ratio);
+}
+
+static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
+                         bl_score_property *result, bl_message *message) {
+    const bl_signal *signal = subject->signal;
+    bl_score_look look;
+    if (!bl_score_look_at(subject, settings, result, &look))
+        return BL_OK;
+    if (look.dimensions < 2) {
+        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+                       "a signal of one dimension has no directions");
+        return BL_OK;
+    }
+    directions d = directions_of(look.dimensions);
+    size_t count = (size_t)bl_score_pick(settings, 128, 512, 4096);
+    size_t rows = (size_t)bl_score_pick(settings, 6, 20, 64);
+    batch *batches = malloc(count * sizeof *batches);
+    double *room = malloc(2 * count * sizeof *room);
+    if (batches && room) {
+#pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic, 4)
+        for (size_t i = 0; i < count; i++)
+            take(signal, &d, &look, rows, bl_score_random(settings, BL_SCORE_STREAM_ISOTROPY, i),
+                 &batches[i]);
+        judge(signal, batches, count, &d, settings, room, result);
+        if (result->verdict != BL_SCORE_NOT_RUN)
+            add_rings(signal, settings, &look, result);
+    }
+    bl_status status = batches && room ? BL_OK : bl_score_no_memory(result, message);
+    free(batches);
+    free(room);
+    return status;
+}
+
+BL_PROPERTY_DESCRIPTOR(isotropy) = {
+    .name = "isotropy",
+    .title = "isotropic",
+    .question = "Does the spectrum have no direction?",
+    .measure = measure,
+};

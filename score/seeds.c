@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+//
+// Seeds: every bit of the seed counts, and signals of neighbouring seeds are unrelated.
+//
+// From each of many seeds s (the first is the signal's own), the changes are each of its 64 bits
+// flipped, s+1 and s+2. A change must alter the value at half of the places or more. And the
+// changed signal must be unrelated to the original, at the same places and at places one cell away
+// along each axis in both directions (a seed that is added to a cell number shifts the noise).
+//
+// Unrelated seeds may correlate: they share what the place alone decides, such as a mean that
+// depends on the phase in the cell, and over the few entries of a table any two do by chance.
+// Therefore each pair is compared with a control, a seed drawn at random. With u the value of s at
+// a place (standardised, cut off at 3), v and v' those of the changed one and of the control, the
+// mean of u (v - v') over the places is symmetric about 0 if the change is as good as a random
+// seed. Student's t over the seeds s tests it, for each change and each way to go, and for all
+// changes together; all tests of a signal share alpha.
+#include "score/places.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/grid.h"
+
+enum {
+    BITS = 64,
+    CHANGES = BITS + 2,
+    SHIFTS = 1 + 2 * BL_AXES,
+    PLACES = 32, // of one seed, at most
+    AT_ONCE = PLACES * SHIFTS
+};
+
+typedef struct survey {
+    const bl_signal *signal;
+    const bl_score_look *look;
+    size_t seeds, places, shifts;
+} survey;
+
+// Of one seed s.
+typedef struct batch {
+    double product[CHANGES + 1][SHIFTS]; // mean of u (v - v'); the last: of all changes
+    double changed[CHANGES];             // share of places where the value differs
+    double uv[CHANGES], uu, vv[CHANGES]; // sums at the same places
+    int is_missing;                      // a signal could not be made
+} batch;
+
+static uint64_t changed_seed(uint64_t seed, size_t change) {
+    return change < BITS ? seed ^ UINT64_C(1) << change : seed + (change - BITS + 1);
+}
+
+// Random places, and the same ones shifted, shift by shift.
+static void choose_places(const survey *s, bl_random *random, double column[BL_AXES][AT_ONCE]) {
+    double cell = s->look->cell;
+    for (size_t a = 0; a < BL_AXES; a++)
+        for (size_t i = 0; i < s->places; i++) {
+            double x = cell * 16384 * (bl_random_unit(random) - 0.5);
+            for (size_t shift = 0; shift < s->shifts; shift++) {
+                int is_along = shift && (shift - 1) / 2 == a;
+                column[a][shift * s->places + i] = x + (is_along ? shift % 2 ? cell : -cell : 0);
+            }
+        }
+}
+
+static int sample(const survey *s, uint64_t seed, double column[BL_AXES][AT_ONCE],
+                  double out[AT_ONCE]) {
+    float value[AT_ONCE];
+    size_t count = s->places * s->shifts;
+    bl_signal *signal = bl_signal_reseed(s->signal, seed);
+    if (!signal)
+        return 0;
+    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
+                     count, value);
+    bl_signal_free(signal);
+    for (size_t i = 0; i < count; i++)
+        out[i] = ((double)value[i] - s->look->mean) / s->look->deviation;
+    return 1;
+}
+
+// NaN stays NaN.
+static double cut(double x) {
+    return x > 3 ? 3 : x < -3 ? -3 : x;
+}
+
+static void add_change(const survey *s, size_t change, const double *original,
+                       const double *changed, const double *control, batch *b) {
+    for (size_t i = 0; i < s->places; i++) {
+        b->changed[change] += (changed[i] != original[i]) / (double)s->places;
+        b->uv[change] += original[i] * changed[i];
+        b->vv[change] += changed[i] * changed[i];
+    }
+    for (size_t shift = 0; shift < s->shifts; shift++) {
+        double sum = 0;
+        for (size_t i = 0; i < s->places; i++) {
+            size_t k = shift * s->places + i;
+            sum += cut(original[i]) * (cut(changed[k]) - cut(control[k])) / (double)s->places;
+        }
+        b->product[change][shift] = sum;
+        b->product[CHANGES][shift] += sum / CHANGES;
+    }
+}
+
+static void take(const survey *s, uint64_t seed, bl_random random, batch *b) {
+    double column[BL_AXES][AT_ONCE], original[AT_ONCE], changed[AT_ONCE], control[AT_ONCE];
+    memset(b, 0, sizeof *b);
+    choose_places(s, &random, column);
+    b->is_missing =
+        !sample(s, seed, column, original) || !sample(s, bl_random_bits(&random), column, control);
+    for (size_t i = 0; i < s->places && !b->is_missing; i++)
+        b->uu += original[i] * original[i];
+    for (size_t change = 0; change < CHANGES && !b->is_missing; change++) {
+        b->is_missing = !sample(s, changed_seed(seed, change), column, changed);
+        add_change(s, change, original, changed, control, b);
+    }
+}
+
+// --- the verdict --------------------------------------------------------------------------------
+
+typedef struct totals {
+    double largest_t, largest_correlation, least_changed;
+    size_t worst_change, worst_shift, dead_bits, first_dead;
+} totals;
+
+static totals totals_of(const survey *s, const batch *b) {
+    totals sum = {.least_changed = 1};
+    for (size_t change = 0; change <= CHANGES; change++)
+        for (size_t shift = 0; shift < s->shifts; shift++) {
+            double t = bl_score_t(&b->product[change][shift], s->seeds, sizeof *b / sizeof(double));
+            if (fabs(t) > fabs(sum.largest_t) || isnan(t)) {
+                sum.largest_t = t;
+                sum.worst_change = change;
+                sum.worst_shift = shift;
+            }
+        }
+    for (size_t change = 0; change < CHANGES; change++) {
+        double changed = 0, uu = 0, uv = 0, vv = 0;
+        for (size_t j = 0; j < s->seeds; j++) {
+            changed += b[j].changed[change] / (double)s->seeds;
+            uu += b[j].uu;
+            uv += b[j].uv[change];
+            vv += b[j].vv[change];
+        }
+        double correlation = uv / sqrt(uu * vv);
+        if (fabs(correlation) > fabs(sum.largest_correlation))
+            sum.largest_correlation = correlation;
+        sum.least_changed = fmin(sum.least_changed, changed);
+        if (changed < 0.5 && change < BITS && sum.dead_bits++ == 0)
+            sum.first_dead = change;
+    }
+    return sum;
+}
+
+static void describe(const totals *sum, char *text, size_t size) {
+    char shift[32] = "at the same places";
+    if (sum->worst_shift)
+        snprintf(shift, sizeof shift, "a cell apart along %c", "xyzw"[(sum->worst_shift - 1) / 2]);
+    if (sum->worst_change < BITS)
+        snprintf(text, size, "seeds that differ in bit %zu, %s,", sum->worst_change, shift);
+    else if (sum->worst_change < CHANGES)
+        snprintf(text, size, "seeds that differ by %zu, %s,", sum->worst_change - BITS + 1, shift);
+    else
+        snprintf(text, size, "neighbouring seeds, %s,", shift);
+}
+
+static void judge(const survey *s, const batch *b, const bl_score_settings *settings,
+                  bl_score_property *result) {
+    totals sum = totals_of(s, b);
+    char what[128];
+    double limit = bl_score_t_limit(settings->alpha, (double)((CHANGES + 1) * s->shifts), s->seeds);
+    describe(&sum, what, sizeof what);
+    bl_score_add_seen(result, "largest_correlation", sum.largest_correlation);
+    bl_score_add_seen(result, "largest_deviate", sum.largest_t);
+    bl_score_add_seen(result, "limit_deviate", limit);
+    bl_score_add_seen(result, "dead_bits", (double)sum.dead_bits);
+    bl_score_add_seen(result, "least_share_changed", sum.least_changed);
+    bl_score_add_exact(result, "seeds", (double)s->seeds);
+    snprintf(result->cell, sizeof result->cell, "|r| %.2g", fabs(sum.largest_correlation));
+    if (sum.dead_bits) {
+        snprintf(result->cell, sizeof result->cell, "%u dead", (unsigned)sum.dead_bits);
+        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_IDEAL,
+                       "%zu bits of the seed do nothing at most places, the first is bit %zu",
+                       sum.dead_bits, sum.first_dead);
+    } else if (isnan(sum.largest_t)) {
+        bl_score_not_finite(result);
+    } else if (fabs(sum.largest_t) > limit) {
+        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_IDEAL,
+                       "%s are related: %.1f standard errors", what, sum.largest_t);
+    } else {
+        bl_score_judge(result, BL_SCORE_PASS, BL_AGAINST_IDEAL,
+                       "all 64 bits count, and neighbouring seeds are unrelated: |r| up to %.3f "
+                       "over %zu places",
+                       fabs(sum.largest_correlation), s->seeds * s->places);
+    }
+}
+
+static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
+                         bl_score_property *result, bl_message *message) {
+    const bl_signal *signal = subject->signal;
+    bl_score_look look;
+    if (signal->seed_offset == SIZE_MAX ||
+        (signal->functions->release && !signal->functions->build)) {
+        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "the signal has no seed");
+        return BL_OK;
+    }
+    if (!bl_score_look_at(subject, settings, result, &look))
+        return BL_OK;
+    survey s = {.signal = signal, .look = &look, .shifts = 1 + 2 * look.dimensions};
+    s.seeds = (size_t)bl_score_pick(settings, 32, 128, 1024);
+    s.places = (size_t)bl_score_pick(settings, 16, 24, PLACES);
+    batch *batches = malloc(s.seeds * sizeof *batches);
+    int is_missing = !batches;
+    if (batches) {
+#pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)
+        for (size_t j = 0; j < s.seeds; j++) {
+            bl_random random = bl_score_random(settings, BL_SCORE_STREAM_SEEDS, j);
+            uint64_t seed = bl_random_bits(&random);
+            if (j == 0)
+                memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);
+            take(&s, seed, random, &batches[j]);
+        }
+        for (size_t j = 0; j < s.seeds; j++)
+            is_missing |= batches[j].is_missing;
+        if (!is_missing)
+            judge(&s, batches, settings, result);
+    }
+    free(batches);
+    return is_missing ? bl_score_no_memory(result, message) : BL_OK;
+}
+
+BL_PROPERTY_DESCRIPTOR(seeds) = {
+    .name = "seeds",
+    .title = "seeds",
+    .question = "Does every bit of the seed count, and are neighbouring seeds unrelated?",
+    .measure = measure,
+};

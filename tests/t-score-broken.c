@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+//
+// The properties of the scorecard that look at places: each noise that is broken on purpose is
+// caught by the property that it breaks and by no other, no noise of the registry fails a claim,
+// and good noises fail no more often than alpha says.
+//
+// Error rates. A table of one correct signal fails anything with probability alpha = 1e-6, so all
+// that is measured here fails by chance with less than 1e-4. The test of alpha itself fails with
+// the probability 1e-6 that it states.
+#include "tests/test.h"
+
+#include "core/statistics.h"
+#include "score/score.h"
+#include "tests/broken.h"
+#include "tests/test_signals.h"
+#include "tests/texts.h"
+
+// The properties of this file.
+static const char *const names[] = {"period", "stationarity", "isotropy", "continuity",
+                                    "seeds",  "far",          "gradient"};
+enum { COUNT = sizeof names / sizeof *names, QUICK = 0, NORMAL = 1 };
+
+static size_t index_of(const char *name) {
+    for (size_t i = 0; i < bl_property_count(); i++)
+        if (strcmp(bl_property_at(i)->name, name) == 0)
+            return i;
+    fail_msg("no property %s", name);
+    return 0;
+}
+
+static bl_score_property measure(const bl_signal *signal, const char *name, int size, uint64_t seed,
+                                 double alpha, int threads) {
+    bl_score_settings settings = bl_score_default_settings();
+    bl_score_subject subject = {.signal = signal};
+    bl_message message = {""};
+    static bl_score score;
+    size_t index = index_of(name);
+    settings.size = size;
+    settings.seed = seed;
+    settings.alpha = alpha;
+    settings.threads = threads;
+    if (bl_score_measure(&subject, &settings, UINT64_C(1) << index, &score, &message) != BL_OK)
+        fail_msg("%s of %s: %s", name, signal->text, message.text);
+    return score.properties[index];
+}
+
+static bl_score_property quick(const bl_signal *signal, const char *name) {
+    return measure(signal, name, QUICK, 1, 1e-6, 0);
+}
+
+// --- broken noises ------------------------------------------------------------------------------
+
+static int is_here(const char *name) {
+    for (int i = 0; i < COUNT; i++)
+        if (name && strcmp(name, names[i]) == 0)
+            return 1;
+    return 0;
+}
+
+static void test_each_broken_noise_is_found_by_its_property(void **state) {
+    (void)state;
+    for (int which = 0; which < BL_BROKEN_COUNT; which++) {
+        const char *name = bl_broken_property(which);
+        if (!is_here(name))
+            continue;
+        bl_signal *signal = bl_broken_signal(which);
+        bl_score_property found = quick(signal, name);
+        if (found.verdict != BL_SCORE_FAIL)
+            found = measure(signal, name, NORMAL, 1, 1e-6, 0);
+        if (found.verdict != BL_SCORE_FAIL)
+            fail_msg("%s: %s says %s: %s", bl_broken_name(which), name,
+                     bl_score_word(found.verdict), found.reason);
+        bl_signal_free(signal);
+    }
+}
+
+// The others say of it what they say of the noise inside: they may blame that for not being ideal.
+static void test_a_broken_noise_is_found_by_no_other_property(void **state) {
+    (void)state;
+    for (int which = 0; which < BL_BROKEN_COUNT; which++) {
+        bl_signal *signal = bl_broken_signal(which);
+        bl_signal *inner = bl_test_open(bl_broken_inner(which), BL_ISA_BEST);
+        for (int i = 0; i < COUNT; i++) {
+            const char *name = bl_broken_property(which);
+            if (name && strcmp(name, names[i]) == 0)
+                continue;
+            bl_score_property found = quick(signal, names[i]);
+            if (found.verdict == BL_SCORE_FAIL && (found.against == BL_AGAINST_CLAIM ||
+                                                   quick(inner, names[i]).verdict != BL_SCORE_FAIL))
+                fail_msg("%s: %s fails: %s", bl_broken_name(which), names[i], found.reason);
+        }
+        bl_signal_free(inner);
+        bl_signal_free(signal);
+    }
+}
+
+// --- good noises --------------------------------------------------------------------------------
+
+static void check_claims(const char *text) {
+    bl_signal *signal = bl_test_open(text, BL_ISA_BEST);
+    for (int i = 0; i < COUNT; i++) {
+        bl_score_property found = quick(signal, names[i]);
+        if (found.verdict == BL_SCORE_FAIL && found.against == BL_AGAINST_CLAIM)
+            fail_msg("%s: %s: %s", text, names[i], found.reason);
+        for (size_t k = 0; k < found.count; k++) {
+            const bl_estimate *e = &found.numbers[k].estimate;
+            if (e->lower > e->value || e->upper < e->value)
+                fail_msg("%s: %s: %s is outside of its interval", text, names[i],
+                         found.numbers[k].name);
+        }
+    }
+    bl_signal_free(signal);
+}
+
+static void test_no_noise_of_the_registry_fails_a_claim(void **state) {
+    (void)state;
+    for (size_t i = 0; i < bl_noise_count(); i++)
+        check_claims(bl_noise_at(i, BL_ISA_BEST)->name);
+    static const char *const more[] = {"vnoise:interp=linear", "vnoise:interp=bspline3",
+                                       "gnoise:lattice=perm256", "vcnoise:kernel=table:100",
+                                       "scnoise:impulses=1"};
+    for (size_t i = 0; i < sizeof more / sizeof *more; i++)
+        check_claims(more[i]);
+}
+
+static void test_the_class_of_continuity_is_found(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        int expected;
+    } cases[] = {{"vcnoise:kernel=table:100", -1},
+                 {"vnoise:interp=linear", 0},
+                 {"gnoise:fade=linear", 0},
+                 {"vnoise", 1},
+                 {"gnoise", 1},
+                 {"hermite", 1},
+                 {"vcnoise", 1},
+                 {"vnoise:interp=bspline3", 2},
+                 {"gnoise:fade=quintic", 2}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_signal *signal = bl_test_open(cases[i].text, BL_ISA_BEST);
+        bl_score_property found = quick(signal, "continuity");
+        double class = bl_score_find(&found, "class")->estimate.value;
+        if (class != cases[i].expected)
+            fail_msg("%s: found class %g, and it has class %d", cases[i].text, class,
+                     cases[i].expected);
+        bl_signal_free(signal);
+    }
+}
+
+// The places of the two planes that jump are known to the last digit.
+static void test_a_jump_is_found_with_its_place_and_size(void **state) {
+    (void)state;
+    bl_signal *signal = bl_broken_signal(BL_BROKEN_JUMP_ONCE);
+    bl_score_property found = quick(signal, "continuity");
+    double range = signal->facts.upper - signal->facts.lower;
+    assert_near(bl_score_find(&found, "jump_at_x")->estimate.value, 3, 1e-9);
+    assert_near(bl_score_find(&found, "largest_jump")->estimate.value, 0.001 * range, 1e-9);
+    bl_signal_free(signal);
+}
+
+// With alpha of 5 % a property, each of a good noise fails at most so often; beyond the upper
+// 1e-6 quantile of the binomial distribution this fails.
+static void check_rate(const char *text, const char *name, unsigned trials) {
+    const double alpha = 0.05;
+    unsigned failures = 0, limit = 0;
+    double probability = pow(1 - alpha, trials), below = probability;
+    for (; below < 1 - 1e-6; limit++) {
+        probability *= (double)(trials - limit) / (limit + 1) * alpha / (1 - alpha);
+        below += probability;
+    }
+    for (unsigned trial = 0; trial < trials; trial++) {
+        char seeded[96];
+        snprintf(seeded, sizeof seeded, "%s:seed=%u", text, 100 + trial);
+        bl_signal *signal = bl_test_open(seeded, BL_ISA_BEST);
+        bl_score_property found =
+            measure(signal, name, QUICK, 500 + trial, alpha * (double)bl_property_count(), 0);
+        const bl_score_number *line = bl_score_find(&found, "line_to_limit_db");
+        failures += found.verdict == BL_SCORE_FAIL || (line && line->estimate.value > 0);
+        bl_signal_free(signal);
+    }
+    if (failures > limit)
+        fail_msg("%s of %s: %u of %u good ones fail; the limit is %u", name, text, failures, trials,
+                 limit);
+}
+
+static void test_good_noises_fail_as_rarely_as_alpha_says(void **state) {
+    (void)state;
+    check_rate("gnoise", "period", (unsigned)bl_test_scaled(200, 40));
+    check_rate("vnoise", "period", (unsigned)bl_test_scaled(100, 20));
+    check_rate("gnoise", "seeds", (unsigned)bl_test_scaled(100, 20));
+    check_rate("gnoise", "far", (unsigned)bl_test_scaled(40, 10));
+    check_rate("scnoise", "stationarity", (unsigned)bl_test_scaled(20, 8));
+    check_rate("scnoise", "isotropy", (unsigned)bl_test_scaled(20, 8));
+}
+
+// --- what cannot be judged ----------------------------------------------------------------------
+
+static void check_not_run(bl_signal *signal) {
+    for (int i = 0; i < COUNT; i++) {
+        bl_score_property found = quick(signal, names[i]);
+        if (found.verdict != BL_SCORE_NOT_RUN || !*found.reason)
+            fail_msg("%s: %s says %s", signal->text, names[i], bl_score_word(found.verdict));
+    }
+    bl_signal_free(signal);
+}
+
+static void test_what_cannot_be_judged_is_not_run(void **state) {
+    (void)state;
+    check_not_run(bl_test_constant(0.25));
+    check_not_run(bl_test_broken());
+    check_not_run(bl_test_white_image(1, 64, 64, 0.25));
+}
+
+// White noise has a jump everywhere, and a cosine a line.
+static void test_strange_signals_are_judged(void **state) {
+    (void)state;
+    bl_signal *white = bl_test_white(1), *cosine = bl_test_cosine(0, 1, (double[]){0.37, 0, 0});
+    bl_score_property found = quick(white, "continuity");
+    assert_int_equal(found.verdict, BL_SCORE_FAIL);
+    assert_int_equal(quick(white, "period").verdict, BL_SCORE_PASS);
+    assert_int_equal(quick(cosine, "period").verdict, BL_SCORE_FAIL);
+    assert_int_equal(quick(cosine, "continuity").verdict, BL_SCORE_PASS);
+    assert_int_equal(quick(cosine, "isotropy").verdict, BL_SCORE_FAIL);
+    bl_signal_free(white);
+    bl_signal_free(cosine);
+}
+
+static void test_the_numbers_do_not_depend_on_the_threads(void **state) {
+    (void)state;
+    bl_signal *signal = bl_test_open("vgnoise:seed=5", BL_ISA_BEST);
+    for (int i = 0; i < COUNT; i++) {
+        bl_score_property one = measure(signal, names[i], QUICK, 3, 1e-6, 1);
+        bl_score_property three = measure(signal, names[i], QUICK, 3, 1e-6, 3);
+        assert_int_equal(one.count, three.count);
+        assert_string_equal(one.reason, three.reason);
+        for (size_t k = 0; k < one.count; k++)
+            assert_memory_equal(&one.numbers[k], &three.numbers[k], sizeof one.numbers[k]);
+    }
+    bl_signal_free(signal);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_each_broken_noise_is_found_by_its_property),
+        cmocka_unit_test(test_a_broken_noise_is_found_by_no_other_property),
+        cmocka_unit_test(test_no_noise_of_the_registry_fails_a_claim),
+        cmocka_unit_test(test_the_class_of_continuity_is_found),
+        cmocka_unit_test(test_a_jump_is_found_with_its_place_and_size),
+        cmocka_unit_test(test_good_noises_fail_as_rarely_as_alpha_says),
+        cmocka_unit_test(test_what_cannot_be_judged_is_not_run),
+        cmocka_unit_test(test_strange_signals_are_judged),
+        cmocka_unit_test(test_the_numbers_do_not_depend_on_the_threads),
+    };
+    return bl_run_tests(tests);
+}
