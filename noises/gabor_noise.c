@@ -33,13 +33,12 @@
 // closed form with I0. Variance A/2 = (1 - e^(-2 pi a^2)) / (4 a^2) for random phase.
 // DC: the Gaussians reach f = 0, where the density is e^(-2 pi F^2/a^2) of what one Gaussian has at
 // its middle, twice (random phase) or four times (zero phase): for F = 0.6, a = 1 and
-// random phase the density at 0 is 0.21 of the peak, for F = 2 2.4e-11. The integral of a zero phase kernel is G(F), tiny, not 0.
-// Stationary in every respect (but for the 2^-32 of impulses.h); kind=isotropic is isotropic.
-// Band: stated is the exact leak beyond F + a.
-// Class: discontinuous, by steps of T at the rims of the kernels. Once (2 pi a^2)^3 T is below
-// 2^-53 (a > 3.6) no derivative up to the third shows it in double, and C3 is stated.
-// Period: that of the lattice. NaN, infinity and coordinates beyond 2^62 give NaN; from 2^52 on
-// the fraction is lost.
+// random phase the density at 0 is 0.21 of the peak, for F = 2 2.4e-11. The integral of a zero
+// phase kernel is G(F), tiny, not 0. Stationary in every respect (but for the 2^-32 of impulses.h);
+// kind=isotropic is isotropic. Band: stated is the exact leak beyond F + a. Class: discontinuous,
+// by steps of T at the rims of the kernels. Once (2 pi a^2)^3 T is below 2^-53 (a > 3.6) no
+// derivative up to the third shows it in double, and C3 is stated. Period: that of the lattice.
+// NaN, infinity and coordinates beyond 2^62 give NaN; from 2^52 on the fraction is lost.
 //
 // Source: lagae2009 (phase=zero), lagae2011 (phase=random). Deviations: numbers come from the hash
 // of the lattice, not from a generator seeded by the cell; two dimensions only; the factor
@@ -170,9 +169,9 @@ impulse_mark_of(const impulse_kernel *kernel, const int form, uint32_t third, ui
     return mark;
 }
 
-static inline __attribute__((always_inline)) float impulse_share(const impulse_kernel *kernel,
-                                                                 const int form, impulse_mark mark,
-                                                                 double x, double y, double z) {
+static inline __attribute__((always_inline)) float impulse_term(const impulse_kernel *kernel,
+                                                                const int form, impulse_mark mark,
+                                                                double x, double y, double z) {
     (void)form, (void)z;
     double square = x * x + y * y; // the reference decides alike
     float envelope = bl_float_exp2(-kernel->rate * (float)square) * mark.amplitude;

@@ -6,10 +6,10 @@
 //   impulse_kernel        what the kernel is, a struct
 //   impulse_mark          what the kernel makes of an impulse's last two words, a struct
 //   impulse_mark impulse_mark_of(const impulse_kernel *, int form, uint32_t third, uint32_t fourth)
-//   float impulse_share(const impulse_kernel *, int form, impulse_mark, double x, double y,
+//   float impulse_term(const impulse_kernel *, int form, impulse_mark, double x, double y,
 //                       double z)
 //
-// impulse_share is finite everywhere and 0 (of either sign) from the kernel's radius on; `form`
+// impulse_term is finite everywhere and 0 (of either sign) from the kernel's radius on; `form`
 // and the dimensions are constants where impulse_points is called. The differences of places are
 // doubles, exactly those of the reference, so that both agree whether an impulse reaches a point
 // even where the kernel ends in a step; the kernel itself is a float.
@@ -107,8 +107,8 @@ impulse_add(const impulse_kernel *kernel, const int form, const unsigned dimensi
     const double *x = group->fraction[0], *y = group->fraction[1], *z = group->fraction[2];
 #pragma omp simd
     for (int l = 0; l < LANES; l++)
-        group->sum[l] += impulse_share(kernel, form, mark, x[l] - place[0], y[l] - place[1],
-                                       dimensions == 3 ? z[l] - place[2] : 0);
+        group->sum[l] += impulse_term(kernel, form, mark, x[l] - place[0], y[l] - place[1],
+                                      dimensions == 3 ? z[l] - place[2] : 0);
 }
 
 // The impulses of one cell to a group in one cell. `limit` is the squared radius, and a little.
@@ -221,7 +221,7 @@ impulse_add_own(const impulse_source *source, const impulse_kernel *kernel, cons
                 dimensions == 3 ? z[l] - (offset[2] + impulse_place(second[l] * factor[2])) : 0;
             impulse_mark mark =
                 impulse_mark_of(kernel, form, second[l] * factor[2], second[l] * factor[3]);
-            float share = impulse_share(kernel, form, mark, dx, dy, dz);
+            float share = impulse_term(kernel, form, mark, dx, dy, dz);
             group->sum[l] += n < count[l] ? share : 0;
         }
     }

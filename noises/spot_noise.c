@@ -43,10 +43,10 @@
 
 #include "noises/closed_forms.h"
 #include "noises/common_parameters.h"
-#include "noises/float_functions.h"
 #include "noises/impulse_profiles.h"
 #include "noises/impulses.h"
 #include "noises/noise.h"
+#include "noises/profile_float.h"
 #include "noises/separable.h"
 
 typedef struct spot_parameters {
@@ -105,6 +105,12 @@ static unsigned dimensions_of(const void *block) {
 
 // --- the spot -----------------------------------------------------------------------------------
 
+static inline bl_profile profile_of(const uint32_t shape) {
+    static const bl_profile profiles[] = {BL_PROFILE_DISC, BL_PROFILE_GAUSSIAN, BL_PROFILE_COSINE,
+                                          BL_PROFILE_RING, BL_PROFILE_DISC};
+    return profiles[shape];
+}
+
 // The spot in its own axes, of radius 1: along = xx dx + xy dy, across = yx dx + yy dy, up = zz dz.
 typedef struct impulse_kernel {
     double xx, xy, yx, yy, zz, half; // half the side of the square
@@ -127,30 +133,6 @@ impulse_mark_of(const impulse_kernel *kernel, const int form, uint32_t third, ui
     return (impulse_mark){bl_lattice_value(fourth)};
 }
 
-// A polynomial in w = 1 - q for the cosine: w^2 P(w), |error| <= 1.4e-8 (w^2 + 1/100) by Remez's
-// exchange in 30 digits. The Gaussians are powers of 2 (float_functions.h), zero outside by choice.
-static inline float profile_float(const int form, float q) {
-    const float log2e = 1.44269504089f;
-    float w = 1 - q > 0 ? 1 - q : 0;
-    if (form == SHAPE_COSINE) {
-        float u = w * w;
-        return u * ((0.616851605305f + 0.308406786202f * w) +
-                    u * ((0.0660101831324f + 0.00795280373609f * w) + u * 0.000778608454261f));
-    }
-    float e = bl_float_exp2((float)-BL_GAUSSIAN_RATE * log2e * (1 - w));
-    float value;
-    if (form == SHAPE_GAUSSIAN) {
-        const float edge = (float)BL_GAUSSIAN_EDGE,
-                    scale = (float)(1 / (1 - BL_GAUSSIAN_EDGE * (1 + BL_GAUSSIAN_RATE)));
-        value = (e - edge - (float)(BL_GAUSSIAN_RATE * BL_GAUSSIAN_EDGE) * w) * scale;
-    } else {
-        const float edge = (float)(BL_GAUSSIAN_EDGE - BL_GAUSSIAN_EDGE_4);
-        const float bend = (float)(BL_GAUSSIAN_RATE * (BL_GAUSSIAN_EDGE - 4 * BL_GAUSSIAN_EDGE_4));
-        value = 2 * (e - (e * e) * (e * e) - edge - bend * w);
-    }
-    return w > 0 ? value : 0;
-}
-
 // Whether, and where, in double: the reference decides alike.
 static inline double spot_square(const impulse_kernel *k, double x, double y, double z) {
     double along = k->xx * x + k->xy * y, across = k->yx * x + k->yy * y, up = k->zz * z;
@@ -162,24 +144,21 @@ static inline int spot_inside(const impulse_kernel *k, double x, double y, doubl
     return along < k->half && across < k->half && fabs(k->zz * z) < k->half;
 }
 
-static inline __attribute__((always_inline)) float impulse_share(const impulse_kernel *kernel,
-                                                                 const int form, impulse_mark mark,
-                                                                 double x, double y, double z) {
+static inline __attribute__((always_inline)) float impulse_term(const impulse_kernel *kernel,
+                                                                const int form, impulse_mark mark,
+                                                                double x, double y, double z) {
     if (form == SHAPE_SQUARE)
         return spot_inside(kernel, x, y, z) ? mark.amplitude : 0;
     double q = spot_square(kernel, x, y, z);
     if (form == SHAPE_DISC)
         return q < 1 ? mark.amplitude : 0;
-    return mark.amplitude * profile_float(form, (float)q);
+    const bl_profile profile = form == SHAPE_GAUSSIAN ? BL_PROFILE_GAUSSIAN
+                               : form == SHAPE_COSINE ? BL_PROFILE_COSINE
+                                                      : BL_PROFILE_RING;
+    return mark.amplitude * profile_float(profile, (float)q);
 }
 
 #include "noises/impulse_points.h"
-
-static bl_profile profile_of(uint32_t shape) {
-    static const bl_profile profiles[] = {BL_PROFILE_DISC, BL_PROFILE_GAUSSIAN, BL_PROFILE_COSINE,
-                                          BL_PROFILE_RING, BL_PROFILE_DISC};
-    return profiles[shape];
-}
 
 // --- the reference ------------------------------------------------------------------------------
 
