@@ -2,25 +2,33 @@
 //
 // scnoise: sparse convolution noise, impulses at random places convolved with a radial kernel.
 //
-//   n(p) = 1/N  sum over cells c, impulses k = 1..N of  a_ck K(|p - c - x_ck|)
+//   n(p) = 1/N  sum over cells c, impulses k of  a_ck K(|p - c - x_ck|)
 //
-// x_ck uniform in the cell, a_ck uniform in (-1, 1), K the radial Catmull-Rom kernel of radius 2
-// (radial_kernel.h); cells within two of p's cell can reach it.
+// x_ck uniform in the cell, a_ck uniform in (-1, 1), K a radial kernel of radius 2; cells within
+// two of p's cell can reach it.
 //
 // Parameters
 //   seed      any 64-bit number
 //   impulses  N, 1 to 64 impulses a cell; the sum is divided by N, as in the text, so the standard
 //             deviation falls as 1/sqrt(N)
 //   lattice   hash: no period; perm256: the text's index of 256 entries, period 256
-//   kernel    exact; table:R: the text's table, R entries a unit of squared distance, nearest entry
-//             (1 to 1000000, 100 in the text); evaluated in double, without the fast paths
+//   count     fixed: N in every cell, as in the text; poisson: a true Poisson number of mean N
+//             (impulses.h). Both have the same covariance
+//   kernel    exact: the radial Catmull-Rom kernel (radial_kernel.h); table:R: the text's table of
+//             it, R entries a unit of squared distance, nearest entry (1 to 1000000, 100 in the
+//             text), evaluated in double, without the fast paths; cosine: (1 + cos(pi r/2))/2, the
+//             window of lewis1989; gaussian: of standard deviation 0.5547, less its tangent at
+//             r = 2 (impulse_profiles.h)
 //
-// Range: bounded by the number of impulses in reach (closed_forms.h); not [-1, 1].
+// Range: bounded by the number of impulses in reach (closed_forms.h, impulse_profiles.h), for
+// poisson by the largest count that occurs; not [-1, 1].
 // Band: that of the kernel's transform: low pass, most of it below 1 cycle a cell, and a tail that
 // falls as f^-4 in amplitude as for every C1 radial kernel in space; DC is not 0.
-// Known defects: the number of impulses in a cell is fixed, which is not Poisson, though the
-// spectrum is the same since amplitudes are independent with mean 0. With kernel=table the noise is
-// discontinuous.
+// The spectrum is E[a^2]/N |K^|^2, of variance E[a^2]/N int K^2, E[a^2] = (1 - 2^-40)/3.
+// Known defects: a fixed number of impulses in a cell is not Poisson, though the spectrum is the
+// same since amplitudes are independent with mean 0; fourth moments tell (t-impulses). With
+// kernel=table the noise is discontinuous. Kernels other than exact, and poisson counts, have no
+// loop of their own for rows.
 // Deviations from peachey2003, pp. 80-83: random numbers come from a hash of cell and seed; with
 // perm256 every index has N entries of its own, where the text lets impulse k+1 of entry h be
 // impulse k of entry h+1, so that cells share impulses.
@@ -35,7 +43,10 @@
 #include "noises/closed_forms.h"
 #include "noises/convolution_cells.h"
 #include "noises/convolution_row.h"
+#include "noises/impulse_profiles.h"
+#include "noises/impulses.h"
 #include "noises/noise.h"
+#include "noises/profile_float.h"
 #include "noises/radial_kernel.h"
 #include "noises/sparse_impulses.h"
 #include "noises/sparse_points.h"
@@ -45,13 +56,14 @@
 typedef struct sparse_parameters {
     bl_lattice_settings lattice;
     uint32_t impulses;
+    uint32_t count;
     uint32_t kernel;
     uint32_t table_rate;
 } sparse_parameters;
 
-enum { KERNEL_EXACT, KERNEL_TABLE };
+enum { KERNEL_EXACT, KERNEL_TABLE, KERNEL_COSINE, KERNEL_GAUSSIAN };
 
-static const char *const kernels[] = {"exact", "table:N", NULL};
+static const char *const kernels[] = {"exact", "table:N", "cosine", "gaussian", NULL};
 
 #define AT(field) offsetof(sparse_parameters, field)
 static const bl_parameter parameters[] = {
@@ -64,49 +76,72 @@ static const bl_parameter parameters[] = {
      .fallback = "3",
      .unit = "a cell",
      .help = "impulses in each cell; the sum is divided by it"},
-    BL_KERNEL_PARAMETER(sparse_parameters, kernels),
+    IMPULSE_COUNT_PARAMETER(sparse_parameters, "fixed"),
+    {.key = "kernel",
+     .kind = BL_CHOICE,
+     .offset = AT(kernel),
+     .choices = kernels,
+     .number_offset = AT(table_rate),
+     .minimum = 1,
+     .maximum = 1000000,
+     .fallback = "exact",
+     .unit = "entries a unit",
+     .help = "exact Catmull-Rom, the text's table of it, or another window"},
     {.key = NULL}};
 #undef AT
+
+static bl_profile profile_of(const sparse_parameters *p) {
+    return p->kernel == KERNEL_COSINE     ? BL_PROFILE_COSINE
+           : p->kernel == KERNEL_GAUSSIAN ? BL_PROFILE_GAUSSIAN
+                                          : BL_PROFILE_CATMULL_ROM;
+}
+
+// The text's own noise, which has fast paths.
+static int is_plain(const sparse_parameters *p) {
+    return p->kernel == KERNEL_EXACT && p->count == IMPULSE_COUNT_FIXED;
+}
 
 // --- the reference ------------------------------------------------------------------------------
 
 // Value and gradient at once.
+typedef struct sparse_sum {
+    const sparse_parameters *p;
+    double value, slope[3];
+} sparse_sum;
+
+static void add_kernel(void *context, const double d[IMPULSE_AXES], uint32_t third,
+                       uint32_t fourth) {
+    (void)third;
+    sparse_sum *sum = context;
+    const sparse_parameters *p = sum->p;
+    double square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+    if (!(square < 4))
+        return;
+    double amplitude = (double)bl_lattice_value(fourth) * BL_LATTICE_UNIT, slope;
+    if (p->kernel == KERNEL_COSINE || p->kernel == KERNEL_GAUSSIAN) {
+        sum->value += amplitude * bl_profile_value(profile_of(p), square / 4);
+        slope = bl_profile_slope(profile_of(p), square / 4) / 2;
+    } else {
+        double r = sqrt(square);
+        sum->value +=
+            amplitude * (p->kernel == KERNEL_EXACT ? radial_kernel(r)
+                                                   : radial_kernel_table(square, p->table_rate));
+        slope = radial_kernel_slope(r);
+    }
+    for (int a = 0; a < 3; a++)
+        sum->slope[a] += amplitude * slope * d[a];
+}
+
 static void evaluate(const sparse_parameters *p, const double at[BL_AXES], double *value_out,
                      double gradient_out[3]) {
-    bl_lattice lattice = bl_lattice_open(&p->lattice);
-    impulse_factors factors;
-    impulse_factors_open(&factors, p->impulses);
-    uint64_t cell[3];
-    double fraction[3], sum = 0, slope[3] = {0};
+    impulse_source source;
+    sparse_sum sum = {.p = p};
+    impulse_source_open(&source, &p->lattice, p->impulses, p->count == IMPULSE_COUNT_POISSON);
+    if (!impulse_visit(&source, 3, 2, at, add_kernel, &sum))
+        sum.value = sum.slope[0] = sum.slope[1] = sum.slope[2] = NAN;
+    *value_out = sum.value / p->impulses;
     for (int a = 0; a < 3; a++)
-        if (!bl_lattice_split(at[a], &cell[a], &fraction[a])) {
-            *value_out = gradient_out[0] = gradient_out[1] = gradient_out[2] = NAN;
-            return;
-        }
-    for (int i = 0; i < 125; i++) {
-        int offset[3] = {i / 25 - 2, i / 5 % 5 - 2, i % 5 - 2};
-        uint64_t visited[3];
-        for (int a = 0; a < 3; a++)
-            visited[a] = cell[a] + (uint64_t)(int64_t)offset[a];
-        cell_words words = cell_words_at(&lattice, visited);
-        for (uint32_t n = 0; n < p->impulses; n++) {
-            impulse one = impulse_of(&factors, words, n);
-            double d[3], square = 0;
-            for (int a = 0; a < 3; a++) {
-                d[a] = fraction[a] - offset[a] - one.place[a];
-                square += d[a] * d[a];
-            }
-            double r = sqrt(square);
-            sum += one.amplitude * (p->kernel == KERNEL_EXACT
-                                        ? radial_kernel(r)
-                                        : radial_kernel_table(square, p->table_rate));
-            for (int a = 0; a < 3; a++)
-                slope[a] += one.amplitude * radial_kernel_slope(r) * d[a];
-        }
-    }
-    *value_out = sum / p->impulses;
-    for (int a = 0; a < 3; a++)
-        gradient_out[a] = slope[a] / p->impulses;
+        gradient_out[a] = sum.slope[a] / p->impulses;
 }
 
 static double value(const void *block, const double at[BL_AXES]) {
@@ -131,10 +166,55 @@ static void points_by_value(const void *block, const double *const at[BL_AXES], 
         out[i] = (float)value(block, (double[BL_AXES]){at[0][i], at[1][i], at[2][i], 0});
 }
 
+// The kernels and counts without fast paths, by impulse_points.h.
+typedef struct impulse_kernel {
+    int unused;
+} impulse_kernel;
+
+typedef struct impulse_mark {
+    float amplitude; // in BL_LATTICE_UNIT
+} impulse_mark;
+
+static inline __attribute__((always_inline)) impulse_mark
+impulse_mark_of(const impulse_kernel *kernel, const int form, uint32_t third, uint32_t fourth) {
+    (void)kernel, (void)form, (void)third;
+    return (impulse_mark){bl_lattice_value(fourth)};
+}
+
+static inline __attribute__((always_inline)) float impulse_term(const impulse_kernel *kernel,
+                                                                const int form, impulse_mark mark,
+                                                                double x, double y, double z) {
+    (void)kernel;
+    float q = (float)((x * x + y * y + z * z) * 0.25);
+    return mark.amplitude * profile_float((bl_profile)form, q);
+}
+
+#include "noises/impulse_points.h"
+
+static inline __attribute__((always_inline)) void points_of(const sparse_parameters *p,
+                                                            const bl_profile profile,
+                                                            const double *const at[BL_AXES],
+                                                            size_t count, float *out) {
+    impulse_source source;
+    const impulse_kernel kernel = {0};
+    float scale = (float)(BL_LATTICE_UNIT / p->impulses);
+    impulse_source_open(&source, &p->lattice, p->impulses, p->count == IMPULSE_COUNT_POISSON);
+    impulse_points(&source, &kernel, (int)profile, 3, 2, scale, at, count, out);
+}
+
 static void points(const void *block, const double *const at[BL_AXES], size_t count, float *out) {
     const sparse_parameters *p = block;
-    if (p->kernel != KERNEL_EXACT) {
+    if (p->kernel == KERNEL_TABLE) {
         points_by_value(block, at, count, out);
+        return;
+    }
+    if (!is_plain(p)) {
+        if (p->kernel == KERNEL_COSINE)
+            points_of(p, BL_PROFILE_COSINE, at, count, out);
+        else if (p->kernel == KERNEL_GAUSSIAN)
+            points_of(p, BL_PROFILE_GAUSSIAN, at, count, out);
+        else
+            points_of(p, BL_PROFILE_CATMULL_ROM, at, count, out);
         return;
     }
     sparse_source source;
@@ -150,8 +230,7 @@ static void row(const void *block, const double start[BL_AXES], const double ste
     axis_row along;
     size_t from, to;
     find_inside(start, step, count, &from, &to);
-    if (p->kernel == KERNEL_EXACT && from < to &&
-        axis_row_open(&along, start, step, from, to - from) &&
+    if (is_plain(p) && from < to && axis_row_open(&along, start, step, from, to - from) &&
         tiles_repeat(&p->lattice, along.axis)) {
         sparse_source source;
         sparse_source_open(&source, &p->lattice, p->impulses);
@@ -192,41 +271,69 @@ static float textbook(float x, float y, float z) {
 
 // --- what it states -----------------------------------------------------------------------------
 
+// An impulse has the variance E[a^2]/N^2, and a cell has N of them.
+static double variance_of(const sparse_parameters *p) {
+    return BL_VALUE_VARIANCE(1 << 20) / p->impulses;
+}
+
 static bl_terms terms_of(const sparse_parameters *p) {
     bl_terms terms = {.count = 0};
-    // Each impulse is a radial term of variance E[a^2]/N^2, and a cell has N of them.
-    bl_terms_add_radial(&terms, BL_VALUE_VARIANCE(1 << 20) / p->impulses);
+    bl_terms_add_radial(&terms, variance_of(p));
     return terms;
 }
 
 static int has_closed_form(const void *block) {
     const sparse_parameters *p = block;
-    return bl_lattice_is_hash(&p->lattice) && p->kernel == KERNEL_EXACT;
+    return bl_lattice_is_hash(&p->lattice) && p->kernel != KERNEL_TABLE;
 }
 
+static double length(const double v[BL_AXES]) {
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+// A kernel of radius 2 is one of radius 1 scaled by 2: its volume by 8.
 static double covariance(const void *block, const double lag[BL_AXES]) {
+    bl_profile profile = profile_of(block);
     bl_terms terms = terms_of(block);
-    return bl_terms_covariance(&terms, lag);
+    if (profile == BL_PROFILE_CATMULL_ROM)
+        return bl_terms_covariance(&terms, lag);
+    return variance_of(block) * 8 * bl_profile_correlation(profile, 3, length(lag) / 2);
 }
 
 static double density(const void *block, const double frequency[BL_AXES]) {
+    bl_profile profile = profile_of(block);
     bl_terms terms = terms_of(block);
-    return bl_terms_density(&terms, frequency);
+    if (profile == BL_PROFILE_CATMULL_ROM)
+        return bl_terms_density(&terms, frequency);
+    double transform = 8 * bl_profile_transform(profile, 3, 2 * length(frequency));
+    return variance_of(block) * transform * transform;
 }
 
 static void describe(const void *block, bl_facts *facts) {
     const sparse_parameters *p = block;
+    bl_profile profile = profile_of(p);
     bl_terms terms = terms_of(p);
-    bl_terms_describe(&terms, has_closed_form(block), facts);
+    if (profile == BL_PROFILE_CATMULL_ROM || !has_closed_form(p))
+        bl_terms_describe(&terms, has_closed_form(block), facts);
+    else
+        bl_impulses_describe(covariance, p, 3, BL_RADIAL_REACH, 1, facts);
     facts->stationary = facts->isotropic = bl_lattice_is_hash(&p->lattice);
-    bl_bound bound = bl_bound_sparse_convolution(p->kernel == KERNEL_EXACT ? 0 : p->table_rate);
-    bl_lattice_describe(bound, p->kernel == KERNEL_EXACT ? 1 : -1, &p->lattice, facts);
+    bl_bound bound = bl_bound_sparse_convolution(p->kernel == KERNEL_TABLE ? p->table_rate : 0);
+    if (profile != BL_PROFILE_CATMULL_ROM)
+        bound.value = bl_profile_sparse_bound(profile);
+    int poisson = p->count == IMPULSE_COUNT_POISSON;
+    bound.value *= (double)impulse_count_most(p->impulses, poisson) / p->impulses;
+    if (poisson)
+        bound.proof =
+            "amplitudes below 1; the sum over the cells of the largest |K| in each, "
+            "certified by branch and bound, times the largest count over its mean";
+    bl_lattice_describe(bound, p->kernel == KERNEL_TABLE ? -1 : 1, &p->lattice, facts);
 }
 
 BL_NOISE_DESCRIPTOR(sparse_convolution) = {
     .name = "scnoise",
     .title = "sparse convolution noise",
-    .summary = "Random impulses at random places, convolved with a radial Catmull-Rom kernel.",
+    .summary = "Random impulses at random places, convolved with a radial kernel.",
     .formula = "1/N sum over cells c and impulses k of a_ck K(|p - c - x_ck|)",
     .paper = "peachey2003, pp. 80-83",
     .dimensions = 3,

@@ -428,11 +428,20 @@ static double phase_statistic(const char *text, uint64_t stream) {
     return sum;
 }
 
-static void test_scnoise_has_the_same_variance_all_over_the_cell(void **state) {
+static void test_impulse_noises_have_the_same_variance_all_over_the_cell(void **state) {
     (void)state;
-    static const char *const stationary[] = {"scnoise", "scnoise:impulses=1", "scnoise:impulses=8"};
-    double limit = bl_chi_square_quantile(1 - ERROR_RATE / 3, 8);
-    for (unsigned n = 0; n < 3; n++)
+    static const char *const stationary[] = {"scnoise",
+                                             "scnoise:impulses=1",
+                                             "scnoise:impulses=8",
+                                             "scnoise:kernel=gaussian,count=poisson",
+                                             "spot",
+                                             "spot:count=fixed,impulses=1,shape=square",
+                                             "spot:dims=3,shape=disc,radius=0.5",
+                                             "gabor",
+                                             "gabor:kind=anisotropic,phase=zero,impulses=1"};
+    enum { STATIONARY = sizeof stationary / sizeof *stationary };
+    double limit = bl_chi_square_quantile(1 - ERROR_RATE / STATIONARY, 8);
+    for (unsigned n = 0; n < STATIONARY; n++)
         assert_less(phase_statistic(stationary[n], 1000 + 8 * n), limit);
 }
 
@@ -469,7 +478,7 @@ int main(void) {
         cmocka_unit_test(test_the_period_is_the_one_stated),
         cmocka_unit_test(test_the_fraction_ends_where_it_is_stated_to),
         cmocka_unit_test(test_mean_and_variance_are_the_ones_stated),
-        cmocka_unit_test(test_scnoise_has_the_same_variance_all_over_the_cell),
+        cmocka_unit_test(test_impulse_noises_have_the_same_variance_all_over_the_cell),
         cmocka_unit_test(test_lattice_noises_show_their_cell_in_the_variance),
     };
     return bl_run_tests(tests);
