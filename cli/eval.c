@@ -20,17 +20,22 @@ typedef struct point_reader {
     size_t line;
 } point_reader;
 
-static void answer(point_reader *reader, const double at[BL_AXES], size_t given) {
+// What a source that has failed gives is not printed.
+static bl_status answer(point_reader *reader, const double at[BL_AXES], size_t given) {
     static const double step[BL_AXES] = {1};
     float value;
     bl_signal_row(reader->signal, at, step, 1, &value);
+    if (bl_signal_complaint(reader->signal, &reader->call->message) == BL_DEVICE)
+        return BL_DEVICE;
+    reader->call->message.text[0] = '\0'; // a value that is no number is printed as such
     if (!reader->points) {
         fprintf(reader->call->out, "%.9g\n", (double)value + 0.0); // -0 is 0
-        return;
+        return BL_OK;
     }
     json_array_append_new(reader->points, bl_json_numbers(at, given));
     json_array_append_new(reader->values, bl_json_number((double)value));
     json_array_append_new(reader->reference, bl_json_number(bl_signal_value(reader->signal, at)));
+    return BL_OK;
 }
 
 // Reads one line: up to four numbers with blanks or one comma between them; # starts a comment.
@@ -62,9 +67,7 @@ static bl_status read_line(point_reader *reader, char *line) {
         if (status != BL_OK)
             return status;
     }
-    if (count)
-        answer(reader, at, count);
-    return BL_OK;
+    return count ? answer(reader, at, count) : BL_OK;
 }
 
 // Answers the whole lines of the buffer and moves the rest to its start.
@@ -125,8 +128,7 @@ static bl_status read_words(point_reader *reader) {
         if (status != BL_OK)
             return status;
     }
-    answer(reader, at, words->count - 1);
-    return BL_OK;
+    return answer(reader, at, words->count - 1);
 }
 
 static bl_status run_eval(bl_call *call) {

@@ -221,9 +221,10 @@ static bl_status render(bl_call *call, const bl_signal *signal) {
     bl_progress(call, "rendering %s ...", signal->text);
     bl_grid_fill(signal, &view.grid, bl_call_threads(call), values);
     image_outcome outcome = look(values, count, &view);
-    if (outcome.finite == 0)
+    status = bl_call_complaints(call, BL_OK); // before an image of a dead program is written
+    if (status == BL_OK && outcome.finite == 0)
         status = report_nothing(signal, &call->message);
-    else
+    else if (status == BL_OK)
         status = write_image(call, signal, &view, values);
     if (status == BL_OK)
         report(call, signal, &view, &outcome);
