@@ -392,7 +392,7 @@ bl_status bl_child_ask(bl_child *child, const void *request, size_t request_size
                       text_hint(&talk));
     if (!moved)
         return report(child, message,
-                      "moved no byte for %g s, with %zu of %zu bytes read and %zu of %zu "
+                      "moved no byte for %g s, with %zu of %zu bytes taken and %zu of %zu "
                       "answered%s; timeout=SECONDS waits longer",
                       timeout, talk.sent, request_size, talk.received, answer_size,
                       text_hint(&talk));

@@ -184,7 +184,7 @@ static bl_status report_missing(const plugin_source *plugin, bl_message *message
                          "BANDLIMIT_EXPORT of bandlimit_plugin.h",
                          plugin->path, plugin->symbol);
     return bl_report(message, BL_USAGE,
-                     "'%s' exports no function '%s'; did you mean '%s'? In C++ declare it with "
+                     "'%s' exports no function '%s'; the nearest is '%s'. In C++ declare it with "
                      "BANDLIMIT_EXPORT of bandlimit_plugin.h",
                      plugin->path, plugin->symbol, near);
 }
