@@ -107,6 +107,18 @@ $(BUILD)/tests/t-%: $(BUILD)/tests/t-%.o $(TEST_HELPERS) $(BUILD)/libbandlimit.a
 	$(call say,link)
 	$(Q)$(CXX) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) $(TEST_LIBS) -o $@
 
+# Functions and a program of a user's, some of them bad, for the tests that open them.
+USER_SOURCES := $(BUILD)/tests/plugins/functions.so $(BUILD)/tests/plugins/child
+$(BUILD)/tests/plugins/%.so: tests/plugins/%.c include/bandlimit_plugin.h
+	@mkdir -p $(@D)
+	$(call say,link)
+	$(Q)$(COMPILE_C) -MF $@.d -shared $< -o $@
+$(BUILD)/tests/plugins/%: tests/plugins/%.c
+	@mkdir -p $(@D)
+	$(call say,link)
+	$(Q)$(CC) -std=gnu17 -D_GNU_SOURCE $(C_WARNINGS) -O1 -g $< -o $@
+$(BUILD)/tests/t-plugin $(BUILD)/tests/t-program: | $(USER_SOURCES)
+
 # A log is always made anew; the last line counts what all of them say.
 LOGS := $(TESTS:%=$(BUILD)/tests/%.log)
 .PHONY: $(LOGS)
@@ -156,6 +168,7 @@ install: all
 	for header in $(PUBLIC_HEADERS); do \
 	    install -D -m 644 $$header $(DESTDIR)$(PREFIX)/include/bandlimit/$$header; done
 	install -m 644 include/bandlimit.h $(DESTDIR)$(PREFIX)/include/bandlimit/
+	install -m 644 include/bandlimit_plugin.h $(DESTDIR)$(PREFIX)/include/
 	install -m 644 man/bandlimit.1 $(DESTDIR)$(PREFIX)/share/man/man1/
 	install -m 644 completion/bandlimit.bash \
 	    $(DESTDIR)$(PREFIX)/share/bash-completion/completions/bandlimit

@@ -12,8 +12,50 @@
 #include "core/grid.h"
 #include "reports/source.h"
 
+// Keeps a copy of a signal whose source may fail, to ask for its complaint when the verb is done
+// with the signal itself.
+static bl_status watch(bl_call *call, bl_signal **signal) {
+    if (!(*signal)->functions->complaint)
+        return BL_OK;
+    bl_signal **more = realloc(call->watched, (call->watched_count + 1) * sizeof *more);
+    bl_signal *copy = more ? bl_signal_copy(*signal) : NULL;
+    if (more)
+        call->watched = more;
+    if (copy) {
+        call->watched[call->watched_count++] = copy;
+        return BL_OK;
+    }
+    bl_signal_free(*signal);
+    *signal = NULL;
+    return bl_report(&call->message, BL_DEVICE, "out of memory");
+}
+
 bl_status bl_call_open(bl_call *call, const char *text, bl_signal **signal) {
-    return bl_source_open(text, call->isa, signal, &call->message);
+    bl_status status = bl_source_open(text, call->isa, signal, &call->message);
+    return status == BL_OK ? watch(call, signal) : status;
+}
+
+// A failure goes before what the verb found; a value that is no number explains it.
+bl_status bl_call_complaints(bl_call *call, bl_status status) {
+    for (size_t i = 0; i < call->watched_count; i++) {
+        bl_message complaint, own = call->message;
+        bl_status fault = bl_signal_complaint(call->watched[i], &complaint);
+        if (fault == BL_DEVICE) {
+            call->message = complaint;
+            return fault;
+        }
+        if (fault == BL_MISMATCH && status == BL_MISMATCH)
+            bl_report(&call->message, status, "%.480s; %.500s", own.text, complaint.text);
+    }
+    return status;
+}
+
+void bl_call_unwatch(bl_call *call) {
+    for (size_t i = 0; i < call->watched_count; i++)
+        bl_signal_free(call->watched[i]);
+    free(call->watched);
+    call->watched = NULL;
+    call->watched_count = 0;
 }
 
 // The key that the noise of a signal takes its seed from.
@@ -66,6 +108,11 @@ static bl_status open_with_seed(bl_call *call, const char *key, bl_signal **sign
 bl_status bl_call_open_seeded(bl_call *call, bl_signal **signal) {
     const char *text = call->operands.words[0];
     *signal = NULL;
+    if (call->common.seed_word && bl_source_is_file(text)) {
+        bl_status seeded =
+            bl_source_open_seeded(text, call->common.seed, call->isa, signal, &call->message);
+        return seeded == BL_OK ? watch(call, signal) : seeded;
+    }
     bl_status status = bl_call_open(call, text, signal);
     if (status != BL_OK || !call->common.seed_word)
         return status;

@@ -31,7 +31,8 @@ static json_t *one_or_all(const double *numbers, size_t count) {
     return count == 1 ? bl_json_number(numbers[0]) : bl_json_numbers(numbers, count);
 }
 
-static void answer(point_reader *reader, const double at[BL_AXES], size_t given) {
+// What a source that has failed gives is not printed.
+static bl_status answer(point_reader *reader, const double at[BL_AXES], size_t given) {
     static const double step[BL_AXES] = {1};
     double values[BL_COMPONENTS_MOST], reference[BL_COMPONENTS_MOST];
     const size_t count = reader->vector.count;
@@ -41,15 +42,19 @@ static void answer(point_reader *reader, const double at[BL_AXES], size_t given)
         values[k] = (double)value;
         if (reader->points)
             reference[k] = bl_signal_value(reader->vector.of[k], at);
+        if (bl_signal_complaint(reader->vector.of[k], &reader->call->message) == BL_DEVICE)
+            return BL_DEVICE;
     }
+    reader->call->message.text[0] = '\0'; // a value that is no number is printed as such
     if (!reader->points) {
         for (size_t k = 0; k < count; k++) // -0 is 0
             fprintf(reader->call->out, "%.9g%c", values[k] + 0.0, k + 1 < count ? ' ' : '\n');
-        return;
+        return BL_OK;
     }
     json_array_append_new(reader->points, bl_json_numbers(at, given));
     json_array_append_new(reader->values, one_or_all(values, count));
     json_array_append_new(reader->reference, one_or_all(reference, count));
+    return BL_OK;
 }
 
 // Reads one line: up to four numbers with blanks or one comma between them; # starts a comment.
@@ -81,9 +86,7 @@ static bl_status read_line(point_reader *reader, char *line) {
         if (status != BL_OK)
             return status;
     }
-    if (count)
-        answer(reader, at, count);
-    return BL_OK;
+    return count ? answer(reader, at, count) : BL_OK;
 }
 
 // Answers the whole lines of the buffer and moves the rest to its start.
@@ -144,8 +147,7 @@ static bl_status read_words(point_reader *reader) {
         if (status != BL_OK)
             return status;
     }
-    answer(reader, at, words->count - 1);
-    return BL_OK;
+    return answer(reader, at, words->count - 1);
 }
 
 static bl_status run_eval(bl_call *call) {

@@ -167,7 +167,7 @@ static bl_status run_verb(bl_call *call) {
         call->out = file.stream;
         call->common.json |= ends_with(path, ".json");
     }
-    bl_status status = call->verb->run(call);
+    bl_status status = bl_call_complaints(call, call->verb->run(call));
     bl_progress(call, NULL);
     if (!is_error(call, status) && call->common.json && !bl_json_print(call->json, call->out) &&
         !ferror(call->out))
@@ -266,6 +266,7 @@ int main(int count, char **words) {
             fprintf(stderr, "bandlimit: %s\n", message.text);
         status = failed ? status : last;
     }
+    bl_call_unwatch(&call);
     json_decref(call.json);
     bl_words_free(&call.operands);
     return (int)status;

@@ -231,9 +231,11 @@ static bl_status fill_and_write(bl_call *call, const bl_signal *signal, const sl
     fill(call, vector, &view->grid, plane, values);
     image_outcome outcome =
         look(values, view->components * view->grid.width * view->grid.height, view);
-    if (outcome.finite == 0)
-        return report_nothing(signal, &call->message);
-    bl_status status = write_image(call, signal, view, values);
+    bl_status status = bl_call_complaints(call, BL_OK); // before an image of a dead program
+    if (status == BL_OK && outcome.finite == 0)
+        status = report_nothing(signal, &call->message);
+    else if (status == BL_OK)
+        status = write_image(call, signal, view, values);
     if (status == BL_OK)
         report(call, signal, view, &outcome);
     return status;

@@ -139,7 +139,9 @@ static void print_facts(FILE *out, const bl_signal *signal) {
         fprintf(out, "  %-12s no claim: there is no variance\n", "band");
     else
         fprintf(out, "  %-12s no claim\n", "band");
-    fprintf(out, "  %-12s %s\n", "continuity", continuity_word(facts->continuity));
+    int stated = facts->continuity >= 0 || bl_noise_find(signal->name, BL_ISA_BASELINE);
+    fprintf(out, "  %-12s %s\n", "continuity",
+            stated ? continuity_word(facts->continuity) : "not stated");
     print_period(out, facts->period, signal->dimensions);
     print_fact(out, "far", facts->far, " units: beyond it the fraction within a cell is lost");
     fprintf(out, "  %-12s %s\n", "spectrum",
@@ -193,7 +195,29 @@ static bl_status show_figure(bl_call *call, const bl_figure *figure) {
     return BL_OK;
 }
 
+// What a source is called; indexed by its kind.
+static const char *const source_words[] = {"noise", "file", "file", "function", "program"};
+static const char *const source_titles[] = {"a noise", "a file of samples", "a file of samples",
+                                            "a function of a shared object", "a program"};
+
+static void print_source(FILE *out, bl_source_kind kind, const bl_signal *signal) {
+    int sampled = kind == BL_SOURCE_IMAGE || kind == BL_SOURCE_RAW;
+    bl_plain_text(out, signal->text);
+    fprintf(out, ": %s\n\ndimensions   %u\n", source_titles[kind], signal->dimensions);
+    if (!sampled)
+        fprintf(out, "seed         %s\n",
+                signal->seed_offset == SIZE_MAX ? "none: {seed} stands nowhere in the words"
+                                                : "it can be reseeded");
+    for (unsigned a = 0; a < signal->dimensions && signal->extent.size[a]; a++)
+        fprintf(out, "axis %c       %zu sample%s, %g units between them\n", "xyzw"[a],
+                signal -> extent.size[a], bl_plural(signal->extent.size[a]),
+                signal->extent.spacing[a]);
+    if (!sampled || !isnan(signal->facts.period[0]))
+        print_facts(out, signal);
+}
+
 static bl_status show_file(bl_call *call, const char *text) {
+    bl_source_kind kind = bl_source_kind_of(text);
     bl_signal *signal;
     bl_status status = bl_call_open(call, text, &signal);
     if (status != BL_OK)
@@ -203,19 +227,14 @@ static bl_status show_file(bl_call *call, const char *text) {
         json_t *size = json_array();
         for (unsigned a = 0; a < signal->dimensions; a++)
             json_array_append_new(size, json_integer((json_int_t)signal->extent.size[a]));
-        bl_json_set_text(object, "kind", "file");
+        bl_json_set_text(object, "kind", source_words[kind]);
         bl_json_set_text(object, "signal", signal->text);
         bl_json_set_count(object, "dimensions", signal->dimensions);
         json_object_set_new(object, "size", size);
         bl_json_set_numbers(object, "spacing_units", signal->extent.spacing, signal->dimensions);
         facts_json(object, signal);
     } else {
-        bl_plain_text(call->out, signal->text);
-        fprintf(call->out, ": a file of samples\n\ndimensions   %u\n", signal->dimensions);
-        for (unsigned a = 0; a < signal->dimensions; a++)
-            fprintf(call->out, "axis %c       %zu sample%s, %g units between them\n", "xyzw"[a],
-                    signal -> extent.size[a], bl_plural(signal->extent.size[a]),
-                    signal->extent.spacing[a]);
+        print_source(call->out, kind, signal);
     }
     bl_signal_free(signal);
     return BL_OK;
@@ -260,7 +279,7 @@ const bl_verb bl_verb_show = {
     .summary = "definition, parameters, claims, source",
     .text =
         "NAME is a noise, with or without settings (the facts are those for the settings), a "
-        "figure, or a file.",
+        "figure, a file, a function ./lib.so:NAME, or a program cmd:PROGRAM.",
     .least = 1,
     .most = 1,
     .output_help = "write the text to PATH instead of stdout",

@@ -98,8 +98,11 @@ static const char *kind_of(const char *text, char *name, size_t size) {
     bl_spec spec;
     const char *kind = NULL;
     snprintf(name, size, "%s", text);
-    if (bl_source_is_file(name))
-        return "a file";
+    bl_source_kind source = bl_source_kind_of(name);
+    if (source != BL_SOURCE_NOISE)
+        return source == BL_SOURCE_PLUGIN    ? "a function"
+               : source == BL_SOURCE_PROGRAM ? "a program"
+                                             : "a file";
     for (char *letter = name; *letter && *letter != ':'; letter++)
         *letter = (char)tolower((unsigned char)*letter);
     if (bl_figure_find(name))

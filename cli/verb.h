@@ -41,6 +41,8 @@ typedef struct bl_call {
     FILE *out;        // the report: stdout, or the file of -o
     json_t *json;     // with --json: the verb's object; NULL until it is made
     bl_message message;
+    bl_signal **watched; // copies of the signals whose source may fail
+    size_t watched_count;
 } bl_call;
 
 // What -o means for a verb.
@@ -82,6 +84,11 @@ bl_status bl_output_check(const char *path, bl_message *message);
 
 // Opens the call's signal by its text, for the call's instruction set.
 bl_status bl_call_open(bl_call *call, const char *text, bl_signal **signal);
+
+// The status of the verb, unless a signal that it opened has failed meanwhile: then the message is
+// the signal's own. bl_call_unwatch forgets these signals.
+bl_status bl_call_complaints(bl_call *call, bl_status status);
+void bl_call_unwatch(bl_call *call);
 
 // Opens the call's first word with the seed of --seed, if that is given, as a part of its text.
 // Errors: BL_USAGE if the text names another seed, BL_MISMATCH for a signal without one.

@@ -60,15 +60,17 @@ bl_status bl_signal_build(bl_signal *signal, bl_message *message) {
     return status;
 }
 
-bl_signal *bl_signal_reseed(const bl_signal *signal, uint64_t seed) {
+// A copy whose block has the given seed, or the signal's own if `seed` is NULL.
+static bl_signal *copy_with(const bl_signal *signal, const uint64_t *seed) {
     const bl_signal_functions *functions = signal->functions;
-    if (signal->seed_offset == SIZE_MAX || (functions->release && !functions->build))
+    if (functions->release && !functions->build)
         return NULL;
     bl_signal *copy =
         bl_signal_new(signal->functions, signal->parameters, signal->parameters_size, signal->text);
     if (!copy)
         return NULL;
-    memcpy((char *)copy->parameters + signal->seed_offset, &seed, sizeof seed);
+    if (seed)
+        memcpy((char *)copy->parameters + signal->seed_offset, seed, sizeof *seed);
     if (bl_signal_build(copy, NULL) != BL_OK)
         return NULL;
     copy->seed_offset = signal->seed_offset;
@@ -78,6 +80,14 @@ bl_signal *bl_signal_reseed(const bl_signal *signal, uint64_t seed) {
     copy->facts = signal->facts;
     copy->extent = signal->extent;
     return copy;
+}
+
+bl_signal *bl_signal_copy(const bl_signal *signal) {
+    return copy_with(signal, NULL);
+}
+
+bl_signal *bl_signal_reseed(const bl_signal *signal, uint64_t seed) {
+    return signal->seed_offset == SIZE_MAX ? NULL : copy_with(signal, &seed);
 }
 
 void bl_signal_free(bl_signal *signal) {
@@ -102,4 +112,9 @@ void bl_signal_points(const bl_signal *signal, const double *const at[BL_AXES], 
 
 double bl_signal_value(const bl_signal *signal, const double at[BL_AXES]) {
     return signal->functions->value(signal->parameters, at);
+}
+
+bl_status bl_signal_complaint(const bl_signal *signal, bl_message *message) {
+    return signal->functions->complaint ? signal->functions->complaint(signal->parameters, message)
+                                        : BL_OK;
 }

@@ -46,8 +46,12 @@ typedef struct bl_signal_functions {
     // leaves nothing to release.
     bl_status (*build)(void *parameters, bl_message *message);
     // Optional: releases what `build` made (not the block itself). A signal that has it, and no
-    // `build`, cannot be reseeded.
+    // `build`, cannot be reseeded or copied.
     void (*release)(void *parameters);
+    // Optional: what went wrong while values were asked for, of a signal whose source can fail (a
+    // program), and of all its copies: BL_OK for nothing; BL_DEVICE if values are NaN because the
+    // source failed; BL_MISMATCH if the source itself gave what is no number.
+    bl_status (*complaint)(const void *parameters, bl_message *message);
 } bl_signal_functions;
 
 // What a signal states about itself, as data that tests read. NAN stands for "not stated".
@@ -96,6 +100,10 @@ bl_signal *bl_signal_new(const bl_signal_functions *functions, const void *param
 // freed.
 bl_status bl_signal_build(bl_signal *signal, bl_message *message);
 
+// A copy of the signal, with what its block refers to built anew; for one that cannot be copied, or
+// out of memory, NULL.
+bl_signal *bl_signal_copy(const bl_signal *signal);
+
 // A copy of the signal that draws from another seed; for a signal without a seed, one that cannot
 // be copied, or out of memory, NULL and the caller goes on with the original (it moves to a fresh
 // place).
@@ -111,5 +119,6 @@ void bl_signal_row(const bl_signal *signal, const double start[BL_AXES], const d
 void bl_signal_points(const bl_signal *signal, const double *const at[BL_AXES], size_t count,
                       float *out);
 double bl_signal_value(const bl_signal *signal, const double at[BL_AXES]);
+bl_status bl_signal_complaint(const bl_signal *signal, bl_message *message);
 
 #endif

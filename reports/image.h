@@ -42,9 +42,12 @@ typedef struct bl_image_source {
     int part;            // of a multi-part file; -1: not chosen
     size_t memory_bytes; // held at most
     const char *text;    // the whole text, for the signal and for messages
+    unsigned wrap;       // beyond the edge: 0 nothing, 1 the image again, 2 mirrored
+    unsigned reading;    // between the pixels: 0 the nearest, 1 linear, 2 cubic
 } bl_image_source;
 
-// Opens an image as a two-dimensional signal; see reports/source.h for the meaning and the errors.
+// Opens an image as a signal of two dimensions, a volume of planes as one of three; see
+// reports/source.h for the meaning and the errors.
 bl_status bl_image_open(const bl_image_source *source, bl_signal **signal, bl_message *message);
 
 #endif

@@ -24,6 +24,7 @@ extern "C" {
 #include "core/file.h"
 #include "core/grammar.h"
 #include "reports/image.h"
+#include "reports/tile.h"
 }
 
 namespace {
@@ -275,7 +276,8 @@ class Pixels {
   public:
     Pixels(const OIIO::ImageSpec &spec, const char *file, int of_part, int of_channel)
         : width(static_cast<size_t>(spec.width)), height(static_cast<size_t>(spec.height)),
-          left(spec.x), top(spec.y), part(of_part), channel(of_channel), path(file) {
+          depth(static_cast<size_t>(std::max(spec.depth, 1))), left(spec.x), top(spec.y),
+          front(spec.z), part(of_part), channel(of_channel), path(file) {
     }
     ~Pixels() {
         if (cache)
@@ -294,97 +296,71 @@ class Pixels {
         cache->attribute("unassociatedalpha", 1);
     }
 
-    // Pixels x .. x + count - 1 of row y, all within the image. NaN where the file fails us.
-    void span(size_t x, size_t y, size_t count, float *out) const {
+    // Pixels x .. x + count - 1 of row y of plane z, all within the image. NaN where the file fails
+    // us.
+    void span(size_t x, size_t y, size_t z, size_t count, float *out) const {
         if (!held.empty()) {
-            std::memcpy(out, &held[y * width + x], count * sizeof *out);
+            std::memcpy(out, &held[(z * height + y) * width + x], count * sizeof *out);
             return;
         }
         const int x0 = left + static_cast<int>(x), y0 = top + static_cast<int>(y);
-        if (!cache->get_pixels(path, part, 0, x0, x0 + static_cast<int>(count), y0, y0 + 1, 0, 1,
-                               channel, channel + 1, OIIO::TypeDesc::FLOAT, out)) {
+        const int z0 = front + static_cast<int>(z);
+        if (!cache->get_pixels(path, part, 0, x0, x0 + static_cast<int>(count), y0, y0 + 1, z0,
+                               z0 + 1, channel, channel + 1, OIIO::TypeDesc::FLOAT, out)) {
             (void)cache->geterror();
             for (size_t i = 0; i < count; i++)
                 out[i] = NAN;
         }
     }
 
-    const size_t width, height;
+    const size_t width, height, depth;
     std::vector<float> held;
 
   private:
-    const int left, top, part, channel;
+    const int left, top, front, part, channel;
     const OIIO::ustring path;
     OIIO::ImageCache *cache = nullptr;
 };
 
 // The parameter block of the signal.
 struct Block {
-    double spacing;
-    Pixels *pixels; // owned; released by release_image
+    bl_tile tile;
+    Pixels *pixels; // owned; released by image_release
 };
 
-// The nearest pixel of a coordinate, or SIZE_MAX outside of the image and for NaN.
-size_t nearest(double coordinate, double spacing, size_t size) {
-    const double pixel = std::floor(coordinate / spacing + 0.5);
-    return pixel >= 0 && pixel < static_cast<double>(size) ? static_cast<size_t>(pixel) : SIZE_MAX;
-}
-
-float pixel_at(const Block &block, double x, double y) {
-    const size_t i = nearest(x, block.spacing, block.pixels->width);
-    const size_t j = nearest(y, block.spacing, block.pixels->height);
-    float value = NAN;
-    if (i != SIZE_MAX && j != SIZE_MAX)
-        block.pixels->span(i, j, 1, &value);
-    return value;
-}
-
-// A row that walks the pixels one by one is copied whole; any other is picked pixel by pixel.
-bool row_is_span(const Block &block, const double *start, const double *step, size_t count) {
-    const double last = start[0] + static_cast<double>(count - 1) * step[0];
-    const size_t i = nearest(start[0], block.spacing, block.pixels->width);
-    const size_t k = nearest(last, block.spacing, block.pixels->width);
-    return step[0] == block.spacing && step[1] == 0 && i != SIZE_MAX && k != SIZE_MAX &&
-           k - i == count - 1 && nearest(start[1], block.spacing, block.pixels->height) != SIZE_MAX;
+// Called from C, which no exception may pass.
+extern "C" void image_span(const void *source, const size_t index[BL_AXES], size_t count,
+                           float *out) try {
+    static_cast<const Pixels *>(source)->span(index[0], index[1], index[2], count, out);
+} catch (...) {
+    for (size_t i = 0; i < count; i++)
+        out[i] = NAN;
 }
 
 extern "C" void image_row(const void *parameters, const double start[BL_AXES],
-                          const double step[BL_AXES], size_t count, float *out) try {
-    const Block &block = *static_cast<const Block *>(parameters);
-    if (count && row_is_span(block, start, step, count)) {
-        block.pixels->span(nearest(start[0], block.spacing, block.pixels->width),
-                           nearest(start[1], block.spacing, block.pixels->height), count, out);
-        return;
-    }
-    for (size_t i = 0; i < count; i++)
-        out[i] = pixel_at(block, start[0] + static_cast<double>(i) * step[0],
-                          start[1] + static_cast<double>(i) * step[1]);
-} catch (...) {
-    for (size_t i = 0; i < count; i++)
-        out[i] = NAN;
+                          const double step[BL_AXES], size_t count, float *out) {
+    bl_tile_row(&static_cast<const Block *>(parameters)->tile, start, step, count, out);
+}
+
+extern "C" double image_value(const void *parameters, const double at[BL_AXES]) {
+    return bl_tile_value(&static_cast<const Block *>(parameters)->tile, at);
 }
 
 extern "C" void image_points(const void *parameters, const double *const at[BL_AXES], size_t count,
-                             float *out) try {
-    for (size_t i = 0; i < count; i++)
-        out[i] = pixel_at(*static_cast<const Block *>(parameters), at[0][i], at[1][i]);
-} catch (...) {
-    for (size_t i = 0; i < count; i++)
-        out[i] = NAN;
-}
-
-extern "C" double image_value(const void *parameters, const double at[BL_AXES]) try {
-    return static_cast<double>(pixel_at(*static_cast<const Block *>(parameters), at[0], at[1]));
-} catch (...) {
-    return NAN;
+                             float *out) {
+    for (size_t i = 0; i < count; i++) {
+        const double place[BL_AXES] = {at[0][i], at[1][i], at[2][i], at[3][i]};
+        out[i] = static_cast<float>(image_value(parameters, place));
+    }
 }
 
 extern "C" void image_release(void *parameters) {
     delete static_cast<Block *>(parameters)->pixels;
 }
 
-const bl_signal_functions image_functions = {image_row, image_points, image_value, nullptr,
-                                             nullptr,   nullptr,      nullptr,     nullptr,      image_release};
+const bl_signal_functions image_functions = {image_row,     image_points, image_value, nullptr,
+                                             nullptr,       nullptr,      nullptr,     nullptr,
+                                             image_release, nullptr};
 
 bl_status check_file(const char *path, bl_message *message) {
     struct stat info;
@@ -466,23 +442,25 @@ bl_status check_shape(const OIIO::ImageSpec &spec, const char *path, bl_message 
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
         return bl_report(message, BL_MISMATCH, "'%s' has no pixels: %d x %d with %d channels", path,
                          spec.width, spec.height, spec.nchannels);
-    if (spec.deep || spec.depth > 1)
-        return bl_report(message, BL_MISMATCH,
-                         "'%s' is %s; only images of one plane of pixels can be read", path,
-                         spec.deep ? "a deep image" : "a volume");
+    if (spec.deep)
+        return bl_report(
+            message, BL_MISMATCH,
+            "'%s' is a deep image; only images of one value a pixel and channel can be "
+            "read",
+            path);
     return BL_OK;
 }
 
-// Rows y to end - 1 of one channel. Scanlines are read one by one: the library's way of reading
-// several at once does not notice when a TIFF ends early (OpenImageIO pull request 5336).
+// Rows y to end - 1 of plane z of one channel. Scanlines are read one by one: the library's way of
+// reading several at once does not notice when a TIFF ends early (OpenImageIO pull request 5336).
 bool read_rows(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int part, int channel, int y,
-               int end, float *out) {
+               int end, int z, float *out) {
     const OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
     if (spec.tile_width)
-        return input.read_tiles(part, 0, spec.x, spec.x + spec.width, y, end, spec.z, spec.z + 1,
-                                channel, channel + 1, type, out);
+        return input.read_tiles(part, 0, spec.x, spec.x + spec.width, y, end, z, z + 1, channel,
+                                channel + 1, type, out);
     for (int line = y; line < end; line++, out += spec.width)
-        if (!input.read_scanlines(part, 0, line, line + 1, spec.z, channel, channel + 1, type, out))
+        if (!input.read_scanlines(part, 0, line, line + 1, z, channel, channel + 1, type, out))
             return false;
     return true;
 }
@@ -493,29 +471,39 @@ bl_status read_all(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int par
     const int lines = spec.tile_width ? spec.tile_height : 64;
     std::vector<float> strip(pixels.width * static_cast<size_t>(lines));
     if (keep)
-        pixels.held.resize(pixels.width * pixels.height);
-    for (int y = spec.y; y < spec.y + spec.height; y += lines) {
-        const int end = std::min(y + lines, spec.y + spec.height);
-        if (!read_rows(input, spec, part, channel, y, end, strip.data()))
-            return report_reading(path, input.geterror(), message);
-        if (keep)
-            std::copy_n(strip.data(), pixels.width * static_cast<size_t>(end - y),
-                        &pixels.held[static_cast<size_t>(y - spec.y) * pixels.width]);
-    }
+        pixels.held.resize(pixels.width * pixels.height * pixels.depth);
+    float *place = pixels.held.data();
+    for (int z = spec.z; z < spec.z + static_cast<int>(pixels.depth); z++)
+        for (int y = spec.y; y < spec.y + spec.height; y += lines) {
+            const int end = std::min(y + lines, spec.y + spec.height);
+            if (!read_rows(input, spec, part, channel, y, end, z, strip.data()))
+                return report_reading(path, input.geterror(), message);
+            if (keep)
+                place =
+                    std::copy_n(strip.data(), pixels.width * static_cast<size_t>(end - y), place);
+        }
     return BL_OK;
 }
 
 bl_status make_signal(const bl_image_source &source, double spacing, std::unique_ptr<Pixels> pixels,
                       bl_signal **out, bl_message *message) {
-    const Block block = {spacing, pixels.get()};
+    Block block = {};
+    block.pixels = pixels.get();
+    block.tile.dims = pixels->depth > 1 ? 3 : 2;
+    block.tile.size[0] = pixels->width;
+    block.tile.size[1] = pixels->height;
+    block.tile.size[2] = pixels->depth;
+    block.tile.size[3] = 1;
+    block.tile.spacing = spacing;
+    block.tile.wrap = source.wrap;
+    block.tile.reading = source.reading;
+    block.tile.span = image_span;
+    block.tile.source = pixels.get();
     bl_signal *signal = bl_signal_new(&image_functions, &block, sizeof block, source.text);
     if (!signal)
         return bl_report(message, BL_DEVICE, "out of memory opening '%s'", source.path);
-    signal->dimensions = 2;
     signal->name = "image";
-    signal->extent.size[0] = pixels->width;
-    signal->extent.size[1] = pixels->height;
-    signal->extent.spacing[0] = signal->extent.spacing[1] = spacing;
+    bl_tile_describe(&block.tile, signal);
     (void)pixels.release(); // the signal owns it now
     *out = signal;
     return BL_OK;
@@ -540,7 +528,7 @@ bl_status open_image(const bl_image_source &source, bl_signal **out, bl_message 
         (status = find_spacing(spec, source, spacing, message)) != BL_OK)
         return status;
     auto pixels = std::make_unique<Pixels>(spec, source.path, part, channel);
-    const double bytes = 4.0 * spec.width * spec.height;
+    const double bytes = 4.0 * spec.width * spec.height * std::max(spec.depth, 1);
     const bool keep = bytes <= static_cast<double>(source.memory_bytes);
     status = read_all(*input, spec, part, channel, keep, source.path, *pixels, message);
     if (status != BL_OK)

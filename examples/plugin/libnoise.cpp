@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+//
+// The gradient and the value noise of libnoise (Debian: libnoise-dev), in C++.
+#include <cmath>
+
+#include <libnoise/noise.h>
+
+#include "bandlimit_plugin.h"
+
+namespace {
+
+// libnoise turns coordinates into ints; beyond them it has no value.
+bool in_range(const double *p) {
+    return std::fabs(p[0]) < 1e9 && std::fabs(p[1]) < 1e9 && std::fabs(p[2]) < 1e9;
+}
+
+void claim(bandlimit_claims *claims) {
+    claims->dims = 3;
+    claims->continuity = 1; // QUALITY_STD: the cubic fade
+    claims->cell = 1;
+}
+
+} // namespace
+
+BANDLIMIT_EXPORT double gradient(const double p[4], unsigned, uint64_t seed, void *) {
+    return in_range(p) ? noise::GradientCoherentNoise3D(p[0], p[1], p[2], static_cast<int>(seed),
+                                                        noise::QUALITY_STD)
+                       : std::nan("");
+}
+
+BANDLIMIT_EXPORT void gradient_claims(bandlimit_claims *claims) {
+    claim(claims);
+}
+
+BANDLIMIT_EXPORT double value(const double p[4], unsigned, uint64_t seed, void *) {
+    return in_range(p) ? noise::ValueCoherentNoise3D(p[0], p[1], p[2], static_cast<int>(seed),
+                                                     noise::QUALITY_STD)
+                       : std::nan("");
+}
+
+BANDLIMIT_EXPORT void value_claims(bandlimit_claims *claims) {
+    claim(claims);
+    claims->lower = -1; // a weighted mean of lattice values in -1 to 1
+    claims->upper = 1;
+}

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: MIT
+//
+// A function in a shared object as a signal: ./lib.so:symbol,seed=N,dims=N.
+//
+// The object stays loaded until the last signal that refers to it is released. A signal holds what
+// the function's own init made for its seed; reseeding makes another. The function never sees a
+// coordinate that is not finite or beyond 2^62: those give NaN here.
+#include <dlfcn.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/grammar.h"
+#include "include/bandlimit_plugin.h"
+#include "reports/shared_object.h"
+#include "reports/source_kinds.h"
+
+enum { DEFAULT_DIMS = 3, CLAIMS_ROOM = 1024 };
+
+// What all signals of one text share.
+typedef struct plugin_source {
+    void *handle;
+    char *path, *symbol;
+    bandlimit_function *function;
+    bandlimit_init *init;
+    bandlimit_free *free;
+    bandlimit_rows *rows;
+    int one_at_a_time;
+    atomic_size_t users;
+} plugin_source;
+
+// The parameter block.
+typedef struct plugin_block {
+    uint64_t seed;
+    uint32_t dims;
+    plugin_source *plugin; // counted
+    void *user;            // owned
+} plugin_block;
+
+static const bl_parameter plugin_parameters[] = {{.key = "seed",
+                                                  .kind = BL_SEED,
+                                                  .offset = offsetof(plugin_block, seed),
+                                                  .fallback = "0",
+                                                  .unit = "",
+                                                  .help = "given to the function"},
+                                                 {.key = "dims",
+                                                  .kind = BL_INTEGER,
+                                                  .offset = offsetof(plugin_block, dims),
+                                                  .minimum = 0,
+                                                  .maximum = BL_AXES,
+                                                  .fallback = "0",
+                                                  .unit = "",
+                                                  .help = "dimensions; 0: what it claims, else 3"},
+                                                 {.key = NULL}};
+
+// --- calls into the plugin ---
+
+// Functions that are not thread-safe may share what they write to, within an object and beyond it.
+static pthread_mutex_t one_at_a_time = PTHREAD_MUTEX_INITIALIZER;
+
+static void enter(const plugin_source *plugin) {
+    if (plugin->one_at_a_time)
+        pthread_mutex_lock(&one_at_a_time);
+}
+
+static void leave(const plugin_source *plugin) {
+    if (plugin->one_at_a_time)
+        pthread_mutex_unlock(&one_at_a_time);
+}
+
+static double call(const plugin_block *block, const double at[BL_AXES]) {
+    double place[BL_AXES] = {0};
+    if (!bl_source_in_range(at, block->dims))
+        return NAN;
+    memcpy(place, at, block->dims * sizeof *place);
+    return block->plugin->function(place, block->dims, block->seed, block->user);
+}
+
+static double plugin_value(const void *parameters, const double at[BL_AXES]) {
+    const plugin_block *block = parameters;
+    enter(block->plugin);
+    double value = call(block, at);
+    leave(block->plugin);
+    return value;
+}
+
+static void plugin_points(const void *parameters, const double *const at[BL_AXES], size_t count,
+                          float *out) {
+    const plugin_block *block = parameters;
+    enter(block->plugin);
+    for (size_t i = 0; i < count; i++) {
+        const double place[BL_AXES] = {at[0][i], at[1][i], at[2][i], at[3][i]};
+        out[i] = (float)call(block, place);
+    }
+    leave(block->plugin);
+}
+
+static void row_by_calls(const plugin_block *block, const double start[BL_AXES],
+                         const double step[BL_AXES], size_t count, float *out) {
+    for (size_t i = 0; i < count; i++) {
+        double place[BL_AXES];
+        for (int a = 0; a < BL_AXES; a++)
+            place[a] = start[a] + (double)i * step[a];
+        out[i] = (float)call(block, place);
+    }
+}
+
+// Coordinates are monotone along a row, so its ends tell whether all are in range.
+static void plugin_row(const void *parameters, const double start[BL_AXES],
+                       const double step[BL_AXES], size_t count, float *out) {
+    const plugin_block *block = parameters;
+    double first[BL_AXES] = {0}, stride[BL_AXES] = {0}, last[BL_AXES] = {0};
+    if (count == 0)
+        return;
+    for (unsigned a = 0; a < block->dims; a++) {
+        first[a] = start[a];
+        stride[a] = step[a];
+        last[a] = start[a] + (double)(count - 1) * step[a];
+    }
+    int whole = bl_source_in_range(first, block->dims) && bl_source_in_range(last, block->dims) &&
+                bl_source_in_range(stride, block->dims);
+    enter(block->plugin);
+    if (block->plugin->rows && whole)
+        block->plugin->rows(first, stride, count, block->dims, block->seed, block->user, out);
+    else
+        row_by_calls(block, start, step, count, out);
+    leave(block->plugin);
+}
+
+// --- life ---
+
+static void drop(plugin_source *plugin) {
+    if (atomic_fetch_sub(&plugin->users, 1) != 1)
+        return;
+    if (plugin->handle)
+        dlclose(plugin->handle);
+    free(plugin->path);
+    free(plugin->symbol);
+    free(plugin);
+}
+
+static bl_status plugin_build(void *parameters, bl_message *message) {
+    plugin_block *block = parameters;
+    plugin_source *plugin = block->plugin;
+    int failed = 0;
+    block->user = NULL;
+    enter(plugin);
+    if (plugin->init)
+        failed = plugin->init(block->seed, &block->user);
+    leave(plugin);
+    if (failed)
+        return bl_report(message, BL_DEVICE, "'%s': %s_init returned %d for seed %llu, not 0",
+                         plugin->path, plugin->symbol, failed, (unsigned long long)block->seed);
+    atomic_fetch_add(&plugin->users, 1);
+    return BL_OK;
+}
+
+static void plugin_release(void *parameters) {
+    plugin_block *block = parameters;
+    enter(block->plugin);
+    if (block->plugin->free)
+        block->plugin->free(block->user);
+    leave(block->plugin);
+    drop(block->plugin);
+}
+
+static const bl_signal_functions plugin_functions = {.row = plugin_row,
+                                                     .points = plugin_points,
+                                                     .value = plugin_value,
+                                                     .build = plugin_build,
+                                                     .release = plugin_release};
+
+// --- opening ---
+
+static bl_status report_missing(const plugin_source *plugin, bl_message *message) {
+    const char *near = bl_shared_object_nearest(plugin->handle, plugin->symbol);
+    if (!near)
+        return bl_report(message, BL_USAGE,
+                         "'%s' exports no function '%s', nor any other; declare it with "
+                         "BANDLIMIT_EXPORT of bandlimit_plugin.h",
+                         plugin->path, plugin->symbol);
+    return bl_report(message, BL_USAGE,
+                     "'%s' exports no function '%s'; the nearest is '%s'. In C++ declare it with "
+                     "BANDLIMIT_EXPORT of bandlimit_plugin.h",
+                     plugin->path, plugin->symbol, near);
+}
+
+static bl_status find_companion(const plugin_source *plugin, const char *suffix,
+                                bl_any_function **found, bl_message *message) {
+    char *name = NULL;
+    if (asprintf(&name, "%s%s", plugin->symbol, suffix) < 0)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    bl_status status = bl_shared_object_find(plugin->handle, plugin->path, name, found, message);
+    free(name);
+    return status;
+}
+
+static bl_status find_functions(plugin_source *plugin, bandlimit_claim **claim,
+                                bl_message *message) {
+    bl_any_function *found[5] = {NULL};
+    static const char *const suffixes[] = {"", "_init", "_free", "_rows", "_claims"};
+    bl_status status = BL_OK;
+    for (int i = 0; i < 5 && status == BL_OK; i++)
+        status = find_companion(plugin, suffixes[i], &found[i], message);
+    if (status == BL_OK && !found[0])
+        status = report_missing(plugin, message);
+    plugin->function = (bandlimit_function *)found[0];
+    plugin->init = (bandlimit_init *)found[1];
+    plugin->free = (bandlimit_free *)found[2];
+    plugin->rows = (bandlimit_rows *)found[3];
+    *claim = (bandlimit_claim *)found[4];
+    return status;
+}
+
+// What is wrong with the claims, or NULL. Comparisons with NaN, which is not stated, are false.
+static const char *find_fault(const struct bandlimit_claims *c) {
+    double range = c->upper - c->lower;
+    if (c->dims > BL_AXES)
+        return "dims is above 4";
+    if (c->lower > c->upper)
+        return "lower is above upper";
+    if (c->mean < c->lower || c->mean > c->upper)
+        return "the mean lies outside of lower to upper";
+    if (c->variance < 0)
+        return "the variance is negative";
+    if (c->variance > 0.25 * range * range * (1 + 1e-9)) // Popoviciu's inequality
+        return "the variance is more than a quarter of (upper - lower)^2, which none can be";
+    if (c->band_from < 0 || c->band_from > c->band_to || isnan(c->band_from) != isnan(c->band_to))
+        return "the band must rise from 0 or more, with both ends stated";
+    if (c->leak_db > 0)
+        return "leak_db is above 0 dB of the variance";
+    for (int a = 0; a < BL_AXES; a++)
+        if (c->period[a] < 0 || isinf(c->period[a]))
+            return "a period must be finite and not negative";
+    if (c->cell < 0 || isinf(c->cell))
+        return "the cell must be finite and not negative";
+    if (c->continuity < -1)
+        return "continuity is below -1, discontinuous";
+    if (c->flags & ~(uint32_t)BANDLIMIT_NOT_THREAD_SAFE)
+        return "flags has bits that this version does not know";
+    return NULL;
+}
+
+// Lets the plugin write its claims into a room that is larger than the struct, so that one built
+// with a later header is found out and not a danger.
+static bl_status read_claims(const plugin_source *plugin, bandlimit_claim *claim,
+                             struct bandlimit_claims *claims, bl_message *message) {
+    union {
+        struct bandlimit_claims claims;
+        unsigned char bytes[CLAIMS_ROOM];
+    } room;
+    memset(room.bytes, 0xA5, sizeof room.bytes);
+    room.claims = (struct bandlimit_claims){.size = sizeof room.claims,
+                                            .lower = NAN,
+                                            .upper = NAN,
+                                            .mean = NAN,
+                                            .variance = NAN,
+                                            .band_from = NAN,
+                                            .band_to = NAN,
+                                            .leak_db = NAN,
+                                            .period = {NAN, NAN, NAN, NAN},
+                                            .cell = NAN,
+                                            .continuity = -1};
+    if (claim)
+        claim(&room.claims);
+    *claims = room.claims;
+    int beyond = 0;
+    for (size_t i = sizeof *claims; i < sizeof room.bytes; i++)
+        beyond |= room.bytes[i] != 0xA5;
+    if (claims->size != sizeof *claims || beyond)
+        return bl_report(message, BL_DEVICE,
+                         "'%s': %s_claims wrote a struct of another size than the %zu bytes known "
+                         "here; build it with the bandlimit_plugin.h of this version",
+                         plugin->path, plugin->symbol, sizeof *claims);
+    const char *fault = find_fault(claims);
+    if (fault)
+        return bl_report(message, BL_USAGE, "'%s': %s_claims: %s", plugin->path, plugin->symbol,
+                         fault);
+    return BL_OK;
+}
+
+static void fill_facts(bl_facts *facts, const struct bandlimit_claims *claims) {
+    facts->lower = claims->lower;
+    facts->upper = claims->upper;
+    facts->bound_proof = isnan(claims->upper) ? NULL : "claimed by the plugin";
+    facts->mean = claims->mean;
+    facts->variance = claims->variance;
+    facts->band_from = claims->band_from;
+    facts->band_to = claims->band_to;
+    facts->leak_db = claims->leak_db;
+    facts->continuity = claims->continuity;
+    memcpy(facts->period, claims->period, sizeof facts->period);
+    facts->cell = claims->cell;
+    facts->stationary = claims->stationary == 1;
+    facts->isotropic = claims->isotropic == 1;
+}
+
+static bl_status settle_dims(const plugin_source *plugin, uint32_t claimed, uint32_t *dims,
+                             bl_message *message) {
+    if (*dims && claimed && *dims != claimed)
+        return bl_report(message, BL_USAGE,
+                         "'%s': %s claims %u dimension%s, and dims=%u; leave "
+                         "dims out",
+                         plugin->path, plugin->symbol, claimed, claimed == 1 ? "" : "s", *dims);
+    if (!*dims)
+        *dims = claimed ? claimed : DEFAULT_DIMS;
+    return BL_OK;
+}
+
+// The text with the settings that are not the default.
+static char *canonical_text(const plugin_source *plugin, uint32_t named_dims, uint64_t seed) {
+    char dims_text[24] = "", seed_text[40] = "", *text = NULL;
+    if (named_dims)
+        snprintf(dims_text, sizeof dims_text, ",dims=%u", named_dims);
+    if (seed)
+        snprintf(seed_text, sizeof seed_text, ",seed=%llu", (unsigned long long)seed);
+    if (asprintf(&text, "%s:%s%s%s", plugin->path, plugin->symbol, dims_text, seed_text) < 0)
+        return NULL;
+    return text;
+}
+
+static bl_status make_signal(plugin_source *plugin, plugin_block *block, bl_signal **signal,
+                             bl_message *message) {
+    struct bandlimit_claims claims;
+    bandlimit_claim *claim = NULL;
+    uint32_t named_dims = block->dims;
+    bl_status status = find_functions(plugin, &claim, message);
+    if (status == BL_OK)
+        status = read_claims(plugin, claim, &claims, message);
+    if (status == BL_OK)
+        status = settle_dims(plugin, claims.dims, &block->dims, message);
+    if (status != BL_OK)
+        return status;
+    plugin->one_at_a_time = (claims.flags & BANDLIMIT_NOT_THREAD_SAFE) != 0;
+    char *text = canonical_text(plugin, named_dims, block->seed);
+    bl_signal *made = text ? bl_signal_new(&plugin_functions, block, sizeof *block, text) : NULL;
+    free(text);
+    if (!made)
+        return bl_report(message, BL_DEVICE, "out of memory opening '%s'", plugin->path);
+    made->name = "plugin";
+    made->seed_offset = offsetof(plugin_block, seed);
+    made->dimensions = block->dims;
+    fill_facts(&made->facts, &claims);
+    status = bl_signal_build(made, message);
+    if (status == BL_OK)
+        *signal = made;
+    return status;
+}
+
+bl_status bl_plugin_open(const char *text, bl_signal **signal, bl_message *message) {
+    const char *colon = strchr(text, ':');
+    size_t length = colon ? strcspn(colon + 1, ",") : 0;
+    if (length == 0)
+        return bl_report(message, BL_USAGE,
+                         "'%s' names no function; a plugin reads ./lib.so:function,key=value",
+                         text);
+    const char *settings = colon[1 + length] ? colon + length + 2 : NULL;
+    plugin_block block = {0};
+    bl_status status = bl_source_settings(plugin_parameters, text, settings,
+                                          settings ? strlen(settings) : 0, &block, message);
+    if (status != BL_OK)
+        return status;
+    plugin_source *opened = calloc(1, sizeof *opened);
+    if (!opened)
+        return bl_report(message, BL_DEVICE, "out of memory opening '%s'", text);
+    atomic_init(&opened->users, 1);
+    opened->path = strndup(text, (size_t)(colon - text));
+    opened->symbol = strndup(colon + 1, length);
+    block.plugin = opened;
+    if (!opened->path || !opened->symbol)
+        status = bl_report(message, BL_DEVICE, "out of memory opening '%s'", text);
+    if (status == BL_OK)
+        status = bl_shared_object_open(opened->path, &opened->handle, message);
+    if (status == BL_OK)
+        status = make_signal(opened, &block, signal, message);
+    drop(opened); // the signal has its own share
+    return status;
+}

@@ -1,0 +1,363 @@
+// SPDX-License-Identifier: MIT
+//
+// Functions of shared objects as signals: values equal those of direct calls, claims become facts,
+// seeds reach the function, and what is wrong is said.
+#include "tests/temporary.h"
+#include "tests/test.h"
+
+#include <dlfcn.h>
+
+#include "core/grid.h"
+#include "include/bandlimit_plugin.h"
+#include "reports/source.h"
+#include "spectra/histogram.h"
+#include "spectra/psd.h"
+
+static const char *library(void) {
+    static char path[512];
+    const char *build = getenv("BL_BUILD");
+    snprintf(path, sizeof path, "%s/tests/plugins/functions.so", build ? build : "build");
+    return path;
+}
+
+// Opens a function of the library, with settings behind its name.
+static bl_status open_it(const char *function, bl_signal **signal, bl_message *message) {
+    char text[1024];
+    snprintf(text, sizeof text, "%s:%s", library(), function);
+    *signal = NULL;
+    message->text[0] = '\0';
+    return bl_source_open(text, BL_ISA_BEST, signal, message);
+}
+
+static bl_signal *open_good(const char *function) {
+    bl_signal *signal;
+    bl_message message;
+    if (open_it(function, &signal, &message) != BL_OK)
+        fail_msg("%s: %s", function, message.text);
+    return signal;
+}
+
+static void refuse_text(const char *text, bl_status expected, const char *word) {
+    bl_signal *signal = NULL;
+    bl_message message = {""};
+    bl_status status = bl_source_open(text, BL_ISA_BEST, &signal, &message);
+    if (status != expected || !strstr(message.text, word))
+        fail_msg("%s: status %d, expected %d; '%s' should say '%s'", text, status, expected,
+                 message.text, word);
+    assert_null(signal);
+}
+
+static void refuse(const char *function, bl_status expected, const char *word) {
+    char text[1024];
+    snprintf(text, sizeof text, "%s:%s", library(), function);
+    refuse_text(text, expected, word);
+}
+
+// --- values ---
+
+static void *direct(const char *symbol) {
+    void *handle = dlopen(library(), RTLD_NOW);
+    void *found = handle ? dlsym(handle, symbol) : NULL;
+    if (!found)
+        fail_msg("%s", dlerror());
+    return found;
+}
+
+static void test_values_are_those_of_direct_calls(void **state) {
+    (void)state;
+    enum { COUNT = 100 };
+    void *found = direct("plain");
+    bandlimit_function *plain;
+    memcpy(&plain, &found, sizeof plain);
+    bl_signal *signal = open_good("plain,seed=9,dims=4");
+    const double start[BL_AXES] = {-3, 0.25, 1e6, 7}, step[BL_AXES] = {0.1, -0.2, 3, 0};
+    double places[BL_AXES][COUNT];
+    float row[COUNT], points[COUNT];
+    for (int i = 0; i < COUNT; i++)
+        for (int a = 0; a < BL_AXES; a++)
+            places[a][i] = start[a] + i * step[a];
+    const double *const at[BL_AXES] = {places[0], places[1], places[2], places[3]};
+    bl_signal_row(signal, start, step, COUNT, row);
+    bl_signal_points(signal, at, COUNT, points);
+    for (int i = 0; i < COUNT; i++) {
+        const double p[BL_AXES] = {places[0][i], places[1][i], places[2][i], places[3][i]};
+        double expected = plain(p, 4, 9, NULL);
+        assert_near(bl_signal_value(signal, p), expected, 0);
+        assert_true(row[i] == (float)expected);
+        assert_true(points[i] == (float)expected);
+    }
+    bl_signal_free(signal);
+}
+
+static void test_axes_beyond_dims_are_ignored(void **state) {
+    (void)state;
+    const double p[BL_AXES] = {1, 2, 3, NAN}, nowhere[BL_AXES] = {1, NAN, 0, 0};
+    bl_signal *three = open_good("plain"), *one = open_good("plain,dims=1");
+    assert_int_equal(three->dimensions, 3);
+    assert_near(bl_signal_value(three, p), 1 + 20 + 300 + 0.003, 1e-12);
+    assert_near(bl_signal_value(one, p), 1 + 0.001, 1e-12);
+    assert_near(bl_signal_value(one, nowhere), 1 + 0.001, 1e-12);
+    assert_true(isnan(bl_signal_value(three, nowhere)));
+    bl_signal_free(three);
+    bl_signal_free(one);
+}
+
+// The function would answer 1e9 if it saw such a place.
+static void test_places_out_of_range_never_reach_the_function(void **state) {
+    (void)state;
+    static const double bad[] = {NAN, INFINITY, -INFINITY, 0x1p63, -1e300};
+    bl_signal *signal = open_good("full");
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        const double at[BL_AXES] = {0.5, bad[i]}, step[BL_AXES] = {1}, wild[BL_AXES] = {bad[i]};
+        const double zero[BL_AXES] = {0}, x[2] = {0.25, bad[i]}, y[2] = {0, 0};
+        const double *const points[BL_AXES] = {x, y, y, y};
+        float row[3];
+        assert_true(isnan(bl_signal_value(signal, at)));
+        bl_signal_row(signal, at, step, 3, row);
+        assert_true(isnan(row[0]) && isnan(row[1]) && isnan(row[2]));
+        bl_signal_row(signal, zero, wild, 3, row);
+        assert_true(isnan(row[1]) && isnan(row[2]));
+        bl_signal_points(signal, points, 2, row);
+        assert_true(fabs((double)row[0]) <= 1 && isnan(row[1]));
+    }
+    const double edge[BL_AXES] = {0x1p62, -0x1p62};
+    assert_true(fabs(bl_signal_value(signal, edge)) <= 1);
+    bl_signal_free(signal);
+}
+
+static void test_a_row_of_the_plugin_equals_its_points(void **state) {
+    (void)state;
+    enum { COUNT = 257 };
+    bl_signal *signal = open_good("full,seed=123");
+    const double start[BL_AXES] = {-7.3, 2.1, 5, 6}, step[BL_AXES] = {0.37, 0.11, 1, 1};
+    float row[COUNT];
+    bl_signal_row(signal, start, step, COUNT, row);
+    bl_signal_row(signal, start, step, 0, NULL);
+    for (int i = 0; i < COUNT; i++) {
+        const double p[BL_AXES] = {start[0] + i * step[0], start[1] + i * step[1]};
+        assert_true(row[i] == (float)bl_signal_value(signal, p));
+    }
+    bl_signal_free(signal);
+}
+
+// --- seeds and lives ---
+
+static double alive(const bl_signal *counter) {
+    return bl_signal_value(counter, (const double[BL_AXES]){0});
+}
+
+static void test_each_seed_has_its_own_state_and_frees_it(void **state) {
+    (void)state;
+    bl_signal *counter = open_good("full_alive,dims=2"), *signal = open_good("full,seed=250");
+    const double at[BL_AXES] = {0, 0};
+    assert_near(alive(counter), 1, 0);
+    bl_signal *other = bl_signal_reseed(signal, 500), *copy = bl_signal_copy(signal);
+    assert_non_null(other);
+    assert_near(alive(counter), 3, 0);
+    assert_near(bl_signal_value(signal, at), 0.5 * 1 + 0.5, 1e-12); // a phase of 1/4
+    assert_near(bl_signal_value(other, at), 0.5, 1e-12);            // and 1/2
+    bl_signal_free(signal);
+    assert_near(bl_signal_value(copy, at), 1, 1e-12);
+    assert_near(bl_signal_value(other, at), 0.5, 1e-12);
+    bl_signal_free(copy);
+    bl_signal_free(other);
+    assert_near(alive(counter), 0, 0);
+    bl_signal_free(counter);
+}
+
+static void test_the_text_is_canonical_and_takes_a_seed(void **state) {
+    (void)state;
+    char text[1024], expected[1024];
+    bl_message message = {""};
+    bl_signal *signal;
+    snprintf(text, sizeof text, "%s:plain,seed=0x10,dims=2", library());
+    snprintf(expected, sizeof expected, "%s:plain,dims=2,seed=16", library());
+    assert_int_equal(bl_source_open(text, BL_ISA_BEST, &signal, &message), BL_OK);
+    assert_string_equal(signal->text, expected);
+    bl_signal_free(signal);
+    assert_int_equal(bl_source_open_seeded(text, 3, BL_ISA_BEST, &signal, &message), BL_USAGE);
+    assert_non_null(strstr(message.text, "contradict"));
+    snprintf(text, sizeof text, "%s:plain", library());
+    snprintf(expected, sizeof expected, "%s:plain,seed=3", library());
+    assert_int_equal(bl_source_open_seeded(text, 3, BL_ISA_BEST, &signal, &message), BL_OK);
+    assert_string_equal(signal->text, expected);
+    bl_signal_free(signal);
+}
+
+// --- claims ---
+
+static void test_claims_become_facts(void **state) {
+    (void)state;
+    bl_signal *full = open_good("full"), *plain = open_good("plain");
+    const bl_facts *facts = &full->facts;
+    assert_int_equal(full->dimensions, 2);
+    assert_string_equal(full->name, "plugin");
+    assert_near(facts->lower, -1, 0);
+    assert_near(facts->upper, 1, 0);
+    assert_non_null(facts->bound_proof);
+    assert_near(facts->mean, 0, 0);
+    assert_near(facts->variance, 0.25, 0);
+    assert_near(facts->band_to, 1, 0);
+    assert_near(facts->leak_db, -60, 0);
+    assert_int_equal(facts->continuity, 2);
+    assert_near(facts->period[0], 1, 0);
+    assert_near(facts->period[1], 2, 0);
+    assert_true(isnan(facts->period[2]));
+    assert_near(facts->cell, 0, 0);
+    assert_true(facts->stationary && !facts->isotropic);
+    assert_true(isnan(plain->facts.lower) && isnan(plain->facts.variance));
+    assert_true(isnan(plain->facts.band_from) && isnan(plain->facts.period[0]));
+    assert_int_equal(plain->facts.continuity, -1);
+    assert_null(plain->facts.bound_proof);
+    bl_signal_free(full);
+    bl_signal_free(plain);
+}
+
+static void test_claims_that_cannot_be_are_refused(void **state) {
+    (void)state;
+    refuse("bad_bound", BL_USAGE, "lower is above upper");
+    refuse("bad_mean", BL_USAGE, "mean");
+    refuse("bad_variance", BL_USAGE, "variance");
+    refuse("bad_sign", BL_USAGE, "negative");
+    refuse("bad_band", BL_USAGE, "band");
+    refuse("half_band", BL_USAGE, "both ends");
+    refuse("bad_leak", BL_USAGE, "leak_db");
+    refuse("bad_dims", BL_USAGE, "above 4");
+    refuse("bad_period", BL_USAGE, "period");
+    refuse("bad_flags", BL_USAGE, "flags");
+    refuse("bad_size", BL_DEVICE, "another size");
+    refuse("long_claims", BL_DEVICE, "another size");
+    refuse("full,dims=3", BL_USAGE, "claims 2 dimensions");
+}
+
+// --- measurements ---
+
+static void test_measurements_do_not_depend_on_the_threads(void **state) {
+    (void)state;
+    bl_signal *signal = open_good("full");
+    bl_psd_settings settings = bl_psd_default_settings(1);
+    bl_message message = {""};
+    bl_psd one, many;
+    settings.averages = 16;
+    settings.threads = 1;
+    assert_int_equal(bl_psd_measure(signal, &settings, &one, &message), BL_OK);
+    settings.threads = 5;
+    assert_int_equal(bl_psd_measure(signal, &settings, &many, &message), BL_OK);
+    assert_memory_equal(one.psd, many.psd, one.count * sizeof *one.psd);
+    bl_psd_free(&one);
+    bl_psd_free(&many);
+    bl_signal_free(signal);
+}
+
+static void test_calls_of_a_function_that_is_not_thread_safe_come_one_by_one(void **state) {
+    (void)state;
+    enum { SIZE = 96 };
+    static float values[SIZE * SIZE];
+    bl_signal *signal = open_good("unsafe");
+    const bl_grid grid = {.right = {1}, .down = {0, 1}, .width = SIZE, .height = SIZE};
+    bl_grid_fill(signal, &grid, 8, values);
+    for (int i = 0; i < SIZE * SIZE; i++)
+        assert_near((double)values[i], i % SIZE, 0);
+    bl_signal_free(signal);
+}
+
+static void test_a_value_that_is_no_number_stops_a_measurement(void **state) {
+    (void)state;
+    bl_signal *signal = open_good("nowhere");
+    bl_histogram_settings settings = bl_histogram_default_settings();
+    bl_histogram histogram;
+    bl_message message = {""};
+    settings.samples = 4096;
+    assert_true(isnan(bl_signal_value(signal, (const double[BL_AXES]){1})));
+    assert_int_equal(bl_histogram_measure(signal, &settings, &histogram, &message), BL_MISMATCH);
+    assert_non_null(strstr(message.text, "nan"));
+    assert_int_equal(bl_signal_complaint(signal, &message), BL_OK);
+    bl_signal_free(signal);
+}
+
+// --- refusals ---
+
+static void test_every_bad_text_is_refused_with_its_reason(void **state) {
+    (void)state;
+    refuse("plane", BL_USAGE, "the nearest is 'plain'");
+    refuse("malloc", BL_USAGE, "exports no function"); // of another library
+    refuse("data", BL_USAGE, "is data");
+    refuse("", BL_USAGE, "names no function");
+    refuse(",seed=3", BL_USAGE, "names no function");
+    refuse("plain,", BL_USAGE, "expected key=value");
+    refuse("plain,sed=3", BL_USAGE, "did you mean 'seed'");
+    refuse("plain,seed=x", BL_USAGE, "seed=x");
+    refuse("plain,seed=1,seed=2", BL_USAGE, "twice");
+    refuse("plain,dims=5", BL_USAGE, "dims=5");
+    refuse("no_init", BL_DEVICE, "no_init_init returned 42");
+    bl_signal_free(open_good("no_init,seed=7"));
+    char text[1024];
+    snprintf(text, sizeof text, "%s", library());
+    refuse_text(text, BL_USAGE, "names no function");
+}
+
+static void test_a_failing_init_leaves_a_reseeded_signal_out(void **state) {
+    (void)state;
+    bl_signal *signal = open_good("no_init,seed=7");
+    assert_null(bl_signal_reseed(signal, 8));
+    bl_signal_free(signal);
+}
+
+static void test_every_bad_file_is_refused_with_its_reason(void **state) {
+    (void)state;
+    char text[512];
+    size_t size;
+    char *bytes = bl_temporary_read(library(), &size);
+    assert_non_null(bytes);
+    bl_temporary_write(bl_temporary_path("empty.so"), "", 0);
+    bl_temporary_write(bl_temporary_path("text.so"), "no library at all", 17);
+    const char *const paths[] = {"missing.so", "empty.so", "text.so"};
+    const char *const words[] = {"No such file", "cannot load", "cannot load"};
+    for (int i = 0; i < 3; i++) {
+        snprintf(text, sizeof text, "%s:f", bl_temporary_path(paths[i]));
+        refuse_text(text, BL_DEVICE, words[i]);
+    }
+    for (size_t part = 1; part < 16; part++) { // cut short, it must not end us with SIGBUS
+        snprintf(text, sizeof text, "%s:plain", bl_temporary_path("cut.so"));
+        bl_temporary_write(bl_temporary_path("cut.so"), bytes, size * part / 32);
+        bl_signal *signal = NULL;
+        bl_message message = {""};
+        bl_status status = bl_source_open(text, BL_ISA_BEST, &signal, &message);
+        assert_true(status == BL_OK || (status == BL_DEVICE && message.text[0]));
+        bl_signal_free(signal);
+    }
+    free(bytes);
+}
+
+static void test_what_ends_in_so_is_a_function(void **state) {
+    (void)state;
+    assert_int_equal(bl_source_kind_of("lib.so:f"), BL_SOURCE_PLUGIN);
+    assert_int_equal(bl_source_kind_of("./lib.so.1.2:f,seed=3"), BL_SOURCE_PLUGIN);
+    assert_int_equal(bl_source_kind_of("./lib.sow:f"), BL_SOURCE_IMAGE);
+    assert_int_equal(bl_source_kind_of("cmd:./lib.so"), BL_SOURCE_PROGRAM);
+    assert_int_equal(bl_source_kind_of("cmd,dims=2:x"), BL_SOURCE_PROGRAM);
+    assert_int_equal(bl_source_kind_of("a.raw:size=3"), BL_SOURCE_RAW);
+    assert_int_equal(bl_source_kind_of("gnoise:seed=3"), BL_SOURCE_NOISE);
+    assert_int_equal(bl_source_kind_of(""), BL_SOURCE_NOISE);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_values_are_those_of_direct_calls),
+        cmocka_unit_test(test_axes_beyond_dims_are_ignored),
+        cmocka_unit_test(test_places_out_of_range_never_reach_the_function),
+        cmocka_unit_test(test_a_row_of_the_plugin_equals_its_points),
+        cmocka_unit_test(test_each_seed_has_its_own_state_and_frees_it),
+        cmocka_unit_test(test_the_text_is_canonical_and_takes_a_seed),
+        cmocka_unit_test(test_claims_become_facts),
+        cmocka_unit_test(test_claims_that_cannot_be_are_refused),
+        cmocka_unit_test(test_measurements_do_not_depend_on_the_threads),
+        cmocka_unit_test(test_calls_of_a_function_that_is_not_thread_safe_come_one_by_one),
+        cmocka_unit_test(test_a_value_that_is_no_number_stops_a_measurement),
+        cmocka_unit_test(test_every_bad_text_is_refused_with_its_reason),
+        cmocka_unit_test(test_a_failing_init_leaves_a_reseeded_signal_out),
+        cmocka_unit_test(test_every_bad_file_is_refused_with_its_reason),
+        cmocka_unit_test(test_what_ends_in_so_is_a_function),
+    };
+    return bl_run_tests(tests);
+}
