@@ -329,9 +329,9 @@ static void put_head(FILE *out, const char *title) {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
         out);
-    put_tagged(out, "<title>", title, "</title>\n<style>\n");
+    bl_html_tagged(out, "<title>", title, "</title>\n<style>\n");
     fputs(bl_page_style, out);
-    put_tagged(out, "</style>\n</head>\n<body>\n<header>\n<h1>", title, "</h1>\n");
+    bl_html_tagged(out, "</style>\n</head>\n<body>\n<header>\n<h1>", title, "</h1>\n");
 }
 
 bl_status bl_page_write(const char *path, const bl_run_view *views, size_t count,
