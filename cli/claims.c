@@ -127,8 +127,10 @@ bl_status bl_check_claims(bl_call *call, double alpha) {
     bl_status verdict = BL_OK;
     uint64_t wanted = (UINT64_C(1) << bl_property_count()) - 1;
     bl_progress(call, "checking the claims of %s ...", call->operands.words[0]);
-    bl_status status =
-        bl_scorecard_measure(call, call->operands.words[0], &settings, wanted, &card);
+    const char *text = call->operands.words[0];
+    bl_status status = bl_call_open(call, text, &card.signal);
+    if (status == BL_OK)
+        status = bl_scorecard_measure(call, text, &settings, wanted, &card);
     bl_progress(call, NULL);
     if (status == BL_OK)
         status = report(call, &card, alpha, &verdict);

@@ -194,11 +194,14 @@ static bl_status find_verdict(const bl_scorecard *cards, size_t count, int stric
     return verdict;
 }
 
-// One signal after another: each spreads its work over the threads, and nothing disturbs the clock
+// All are opened before any is measured, so that a mistake in the last one is told at once. Then
+// one signal after another: each spreads its work over the threads, and nothing disturbs the clock
 // of the cost, which is measured last.
 static bl_status measure_all(bl_call *call, const bl_words *texts, uint64_t wanted,
                              const bl_score_settings *used, bl_scorecard *cards) {
     bl_status status = BL_OK;
+    for (size_t s = 0; s < texts->count && status == BL_OK; s++)
+        status = bl_call_open(call, texts->words[s], &cards[s].signal);
     for (size_t s = 0; s < texts->count && status == BL_OK; s++) {
         bl_progress(call, "scoring %s, %zu of %zu ...", texts->words[s], s + 1, texts->count);
         status = bl_scorecard_measure(call, texts->words[s], used, wanted, &cards[s]);

@@ -37,12 +37,8 @@ bl_status bl_scorecard_measure(bl_call *call, const char *text, const bl_score_s
                                uint64_t wanted, bl_scorecard *card) {
     bl_signal *variants[BL_SCORE_VARIANTS] = {NULL};
     bl_score_subject subject = {0};
-    card->signal = NULL;
-    bl_status status = bl_call_open(call, text, &card->signal);
-    if (status != BL_OK)
-        return status;
     subject.signal = card->signal;
-    status = open_variants(call, text, &subject, variants);
+    bl_status status = open_variants(call, text, &subject, variants);
     if (status == BL_OK)
         status = bl_score_measure(&subject, settings, wanted, &card->score, &call->message);
     for (size_t v = 0; v < subject.variant_count; v++)

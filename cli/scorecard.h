@@ -17,8 +17,8 @@ typedef struct bl_scorecard {
 // The size, seed and threads of the call, for a table of so many signals that share `alpha`.
 bl_score_settings bl_scorecard_settings(const bl_call *call, double alpha, size_t table);
 
-// Opens a signal by its text, beside the same noise for the other instruction sets that run here,
-// and measures the properties in `wanted`. The caller ends with bl_scorecard_free.
+// Measures the properties in `wanted` of the card's signal, which the caller has opened by this
+// text (bl_call_open), beside the same noise for the other instruction sets that run here.
 bl_status bl_scorecard_measure(bl_call *call, const char *text, const bl_score_settings *settings,
                                uint64_t wanted, bl_scorecard *card);
 void bl_scorecard_free(bl_scorecard *card);
