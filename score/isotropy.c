@@ -15,7 +15,8 @@
 //
 // are 0 over seeds and places for an isotropic noise; each is tested by Student's t over the
 // batches, and all tests of a signal share alpha. For information: the anisotropy of the rings of
-// the power spectrum of a slice (Ulichney 1987), with the floor of as many averages.
+// the power spectrum of a slice (Ulichney 1987), with the floor of as many averages, and the power
+// of the slice above one cycle a cell within 15 degrees of the axes, over that near the diagonals.
 #include "score/places.h"
 
 #include <math.h>
@@ -170,6 +171,31 @@ static double add_ratios(const batch *b, size_t count, const directions *d, doub
     return largest;
 }
 
+// Mean density near the axes of the plane over that near its diagonals, between 1 cycle a cell and
+// Nyquist, in dB.
+static double plane_ratio_db(const bl_psd *psd, double cell) {
+    size_t size = psd->settings.size, width = size / 2 + 1;
+    double unit = psd->settings.rate / (double)size, near = tan(M_PI / 12);
+    double sum[2] = {0}, count[2] = {0};
+    for (size_t j = 0; j < size; j++)
+        for (size_t i = 0; i < width; i++) {
+            double fx = (double)i * unit;
+            double fy = (double)(j <= size / 2 ? j : size - j) * unit;
+            double longer = fmax(fx, fy), shorter = fmin(fx, fy), radius = hypot(fx, fy) * cell;
+            if (radius < 1 || hypot(fx, fy) > psd->settings.rate / 2)
+                continue;
+            // 15 degrees to the diagonal: 30 to the axis.
+            if (shorter < near * longer) {
+                sum[0] += psd->plane[j * width + i];
+                count[0]++;
+            } else if (shorter > tan(M_PI / 6) * longer) {
+                sum[1] += psd->plane[j * width + i];
+                count[1]++;
+            }
+        }
+    return 10 * log10(sum[0] / count[0] / (sum[1] / count[1]));
+}
+
 // The anisotropy of the rings below Nyquist, weighted by their power, and the floor. A signal whose
 // spectrum cannot be measured has neither.
 static void add_rings(const bl_signal *signal, const bl_score_settings *settings,
@@ -194,6 +220,7 @@ static void add_rings(const bl_signal *signal, const bl_score_settings *settings
         }
     bl_score_add_seen(result, "rings_anisotropy_db", 10 * log10(measured / power));
     bl_score_add_seen(result, "rings_floor_db", 10 * log10(floor_level / power));
+    bl_score_add_seen(result, "plane_axes_to_diagonals_db", plane_ratio_db(&psd, look->cell));
     bl_psd_free(&psd);
 }
 
