@@ -19,7 +19,8 @@
 //
 // Second moments do not see the tail of the spectrum, where lattice noises have their cross.
 // Therefore each batch also takes two slices, and compares their power above 1 cycle a cell near
-// the axes with that near the diagonals (sectors.h); the difference is one more test.
+// the axes with that near the diagonals (sectors.h); the difference is one more test, and the table
+// shows the ratio.
 #include "score/places.h"
 
 #include <math.h>
