@@ -18,7 +18,7 @@ typedef struct block {
 } block;
 
 typedef struct entry {
-    const char *name, *property, *text;
+    const char *name, *property, *text, *also;
 } entry;
 
 static const entry entries[BL_BROKEN_COUNT] = {
@@ -33,8 +33,8 @@ static const entry entries[BL_BROKEN_COUNT] = {
     [BL_BROKEN_SEED_SHIFT] = {"seed-shift", "seeds", "gnoise"},
     [BL_BROKEN_STRETCH] = {"stretch", "isotropy", "scnoise"},
     [BL_BROKEN_FLOAT] = {"float", "far", "gnoise"},
-    [BL_BROKEN_AMPLITUDE] = {"amplitude", "stationarity", "scnoise"},
-    [BL_BROKEN_MEAN] = {"mean", "stationarity", "scnoise"},
+    [BL_BROKEN_AMPLITUDE] = {"amplitude", "stationarity", "scnoise", "isotropy"},
+    [BL_BROKEN_MEAN] = {"mean", "stationarity", "scnoise", "isotropy"},
     [BL_BROKEN_GRADIENT] = {"gradient", "gradient", "gnoise"},
 };
 
@@ -193,4 +193,8 @@ const char *bl_broken_property(bl_broken which) {
 
 const char *bl_broken_inner(bl_broken which) {
     return entries[which].text;
+}
+
+const char *bl_broken_also(bl_broken which) {
+    return entries[which].also;
 }

@@ -30,6 +30,9 @@ bl_signal *bl_broken_signal(bl_broken which);
 const char *bl_broken_name(bl_broken which);
 // The property that must find it: its name in the registry of the scorecard; NULL for none.
 const char *bl_broken_property(bl_broken which);
+// Another property that may find it, or NULL: a wave along one axis is a direction too, and what it
+// modulates has side bands along that axis, where scnoise has little power of its own.
+const char *bl_broken_also(bl_broken which);
 // The text of the noise inside.
 const char *bl_broken_inner(bl_broken which);
 
