@@ -159,22 +159,26 @@ bl_status bl_spectral_csv(bl_call *call, const bl_signal *signal, const bl_psd *
     return bl_csv_close(call, &file);
 }
 
-// What of an image was measured: ", all 32 rows of the image", ", 3 tiles of the image".
+// What of an image or a volume was measured: ", all 32 rows of the image", ", 3 tiles ...".
 static void print_pieces(FILE *out, const bl_signal *signal, const bl_psd_settings *used) {
     const size_t *size = signal->extent.size;
-    int along = used->axis[0] != 0 ? 0 : 1; // of an image a line follows x or y
-    size_t lines = size[1 - along] ? size[1 - along] : 1;
-    const char *word = along == 0 ? "row" : "column", *plural = bl_plural(used->averages);
+    unsigned along = used->axis[0] != 0 ? 0 : used->axis[1] != 0 ? 1 : 2;
+    size_t lines = 1;
+    for (unsigned a = 0; a < BL_AXES; a++)
+        lines *= a != along && size[a] ? size[a] : 1;
+    const char *word = along == 0 ? "row" : along == 1 ? "column" : "z line";
+    const char *thing = size[2] ? "volume" : "image";
+    const char *plural = bl_plural(used->averages);
     if (used->dims == 1 && used->size == size[along] && used->averages == lines)
-        fprintf(out, ", all %zu %s%s of the image\n", lines, word, bl_plural(lines));
+        fprintf(out, ", all %zu %s%s of the %s\n", lines, word, bl_plural(lines), thing);
     else if (used->dims == 1 && used->size == size[along])
-        fprintf(out, ", %zu of the %zu %s%s of the image\n", used->averages, lines, word,
-                bl_plural(lines));
+        fprintf(out, ", %zu of the %zu %s%s of the %s\n", used->averages, lines, word,
+                bl_plural(lines), thing);
     else if (used->dims == 1)
-        fprintf(out, ", %zu segment%s of the %ss of the image\n", used->averages, plural, word);
+        fprintf(out, ", %zu segment%s of the %ss of the %s\n", used->averages, plural, word, thing);
     else
-        fprintf(out, ", %zu tile%s that span%s the image\n", used->averages, plural,
-                used->averages == 1 ? "s" : "");
+        fprintf(out, ", %zu tile%s that span%s the %s\n", used->averages, plural,
+                used->averages == 1 ? "s" : "", thing);
 }
 
 static size_t find_peak(const bl_psd *psd) {

@@ -46,7 +46,7 @@ typedef struct bl_image_source {
     unsigned reading;    // between the pixels: 0 the nearest, 1 linear, 2 cubic
 } bl_image_source;
 
-// Opens an image as a signal of two dimensions, a volume of planes as one of three; see
+// Opens an image as a two-dimensional signal; see
 // reports/source.h for the meaning and the errors.
 bl_status bl_image_open(const bl_image_source *source, bl_signal **signal, bl_message *message);
 

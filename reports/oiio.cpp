@@ -276,8 +276,7 @@ class Pixels {
   public:
     Pixels(const OIIO::ImageSpec &spec, const char *file, int of_part, int of_channel)
         : width(static_cast<size_t>(spec.width)), height(static_cast<size_t>(spec.height)),
-          depth(static_cast<size_t>(std::max(spec.depth, 1))), left(spec.x), top(spec.y),
-          front(spec.z), part(of_part), channel(of_channel), path(file) {
+          left(spec.x), top(spec.y), part(of_part), channel(of_channel), path(file) {
     }
     ~Pixels() {
         if (cache)
@@ -296,28 +295,26 @@ class Pixels {
         cache->attribute("unassociatedalpha", 1);
     }
 
-    // Pixels x .. x + count - 1 of row y of plane z, all within the image. NaN where the file fails
-    // us.
-    void span(size_t x, size_t y, size_t z, size_t count, float *out) const {
+    // Pixels x .. x + count - 1 of row y, all within the image. NaN where the file fails us.
+    void span(size_t x, size_t y, size_t count, float *out) const {
         if (!held.empty()) {
-            std::memcpy(out, &held[(z * height + y) * width + x], count * sizeof *out);
+            std::memcpy(out, &held[y * width + x], count * sizeof *out);
             return;
         }
         const int x0 = left + static_cast<int>(x), y0 = top + static_cast<int>(y);
-        const int z0 = front + static_cast<int>(z);
-        if (!cache->get_pixels(path, part, 0, x0, x0 + static_cast<int>(count), y0, y0 + 1, z0,
-                               z0 + 1, channel, channel + 1, OIIO::TypeDesc::FLOAT, out)) {
+        if (!cache->get_pixels(path, part, 0, x0, x0 + static_cast<int>(count), y0, y0 + 1, 0, 1,
+                               channel, channel + 1, OIIO::TypeDesc::FLOAT, out)) {
             (void)cache->geterror();
             for (size_t i = 0; i < count; i++)
                 out[i] = NAN;
         }
     }
 
-    const size_t width, height, depth;
+    const size_t width, height;
     std::vector<float> held;
 
   private:
-    const int left, top, front, part, channel;
+    const int left, top, part, channel;
     const OIIO::ustring path;
     OIIO::ImageCache *cache = nullptr;
 };
@@ -331,7 +328,7 @@ struct Block {
 // Called from C, which no exception may pass.
 extern "C" void image_span(const void *source, const size_t index[BL_AXES], size_t count,
                            float *out) try {
-    static_cast<const Pixels *>(source)->span(index[0], index[1], index[2], count, out);
+    static_cast<const Pixels *>(source)->span(index[0], index[1], count, out);
 } catch (...) {
     for (size_t i = 0; i < count; i++)
         out[i] = NAN;
@@ -442,25 +439,24 @@ bl_status check_shape(const OIIO::ImageSpec &spec, const char *path, bl_message 
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1)
         return bl_report(message, BL_MISMATCH, "'%s' has no pixels: %d x %d with %d channels", path,
                          spec.width, spec.height, spec.nchannels);
-    if (spec.deep)
-        return bl_report(
-            message, BL_MISMATCH,
-            "'%s' is a deep image; only images of one value a pixel and channel can be "
-            "read",
-            path);
+    if (spec.deep || spec.depth > 1)
+        return bl_report(message, BL_MISMATCH,
+                         "'%s' is %s; only images of one plane of pixels can be read%s", path,
+                         spec.deep ? "a deep image" : "a volume",
+                         spec.deep ? "" : " (and volumes as bare samples, .raw)");
     return BL_OK;
 }
 
-// Rows y to end - 1 of plane z of one channel. Scanlines are read one by one: the library's way of
-// reading several at once does not notice when a TIFF ends early (OpenImageIO pull request 5336).
+// Rows y to end - 1 of one channel. Scanlines are read one by one: the library's way of reading
+// several at once does not notice when a TIFF ends early (OpenImageIO pull request 5336).
 bool read_rows(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int part, int channel, int y,
-               int end, int z, float *out) {
+               int end, float *out) {
     const OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
     if (spec.tile_width)
-        return input.read_tiles(part, 0, spec.x, spec.x + spec.width, y, end, z, z + 1, channel,
-                                channel + 1, type, out);
+        return input.read_tiles(part, 0, spec.x, spec.x + spec.width, y, end, spec.z, spec.z + 1,
+                                channel, channel + 1, type, out);
     for (int line = y; line < end; line++, out += spec.width)
-        if (!input.read_scanlines(part, 0, line, line + 1, z, channel, channel + 1, type, out))
+        if (!input.read_scanlines(part, 0, line, line + 1, spec.z, channel, channel + 1, type, out))
             return false;
     return true;
 }
@@ -471,17 +467,15 @@ bl_status read_all(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int par
     const int lines = spec.tile_width ? spec.tile_height : 64;
     std::vector<float> strip(pixels.width * static_cast<size_t>(lines));
     if (keep)
-        pixels.held.resize(pixels.width * pixels.height * pixels.depth);
-    float *place = pixels.held.data();
-    for (int z = spec.z; z < spec.z + static_cast<int>(pixels.depth); z++)
-        for (int y = spec.y; y < spec.y + spec.height; y += lines) {
-            const int end = std::min(y + lines, spec.y + spec.height);
-            if (!read_rows(input, spec, part, channel, y, end, z, strip.data()))
-                return report_reading(path, input.geterror(), message);
-            if (keep)
-                place =
-                    std::copy_n(strip.data(), pixels.width * static_cast<size_t>(end - y), place);
-        }
+        pixels.held.resize(pixels.width * pixels.height);
+    for (int y = spec.y; y < spec.y + spec.height; y += lines) {
+        const int end = std::min(y + lines, spec.y + spec.height);
+        if (!read_rows(input, spec, part, channel, y, end, strip.data()))
+            return report_reading(path, input.geterror(), message);
+        if (keep)
+            std::copy_n(strip.data(), pixels.width * static_cast<size_t>(end - y),
+                        &pixels.held[static_cast<size_t>(y - spec.y) * pixels.width]);
+    }
     return BL_OK;
 }
 
@@ -489,11 +483,10 @@ bl_status make_signal(const bl_image_source &source, double spacing, std::unique
                       bl_signal **out, bl_message *message) {
     Block block = {};
     block.pixels = pixels.get();
-    block.tile.dims = pixels->depth > 1 ? 3 : 2;
+    block.tile.dims = 2;
     block.tile.size[0] = pixels->width;
     block.tile.size[1] = pixels->height;
-    block.tile.size[2] = pixels->depth;
-    block.tile.size[3] = 1;
+    block.tile.size[2] = block.tile.size[3] = 1;
     block.tile.spacing = spacing;
     block.tile.wrap = source.wrap;
     block.tile.reading = source.reading;
@@ -528,7 +521,7 @@ bl_status open_image(const bl_image_source &source, bl_signal **out, bl_message 
         (status = find_spacing(spec, source, spacing, message)) != BL_OK)
         return status;
     auto pixels = std::make_unique<Pixels>(spec, source.path, part, channel);
-    const double bytes = 4.0 * spec.width * spec.height * std::max(spec.depth, 1);
+    const double bytes = 4.0 * spec.width * spec.height;
     const bool keep = bytes <= static_cast<double>(source.memory_bytes);
     status = read_all(*input, spec, part, channel, keep, source.path, *pixels, message);
     if (status != BL_OK)

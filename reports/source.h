@@ -25,10 +25,9 @@
 //
 // Values are those of the file: floats and halves as they are, integers divided by their full
 // scale; no colour curve and no alpha is applied. Pixel (i, j), counted from the upper left corner
-// of the data window, stands at (i, j) * spacing, and of a volume pixel (i, j, k) at (i, j, k) *
-// spacing; a coordinate takes the nearest pixel, and NaN outside of the image, unless wrap and
-// interp say otherwise. The whole image is read once while opening, so a truncated or corrupt file
-// is refused there and not in the middle of a measurement.
+// of the data window, stands at (i, j) * spacing; a coordinate takes the nearest pixel, and NaN
+// outside of the image, unless wrap and interp say otherwise. The whole image is read once while
+// opening, so a truncated or corrupt file is refused there and not in the middle of a measurement.
 //
 // A tile is measured on its own samples, each once, whether it is wrapped or not: random places at
 // another rate would alias. Only one that is wrapped and interpolated is a function like any other,
@@ -56,9 +55,9 @@
 // Opens a signal; the caller frees it with bl_signal_free. Errors, each with a message:
 // BL_USAGE for an unknown name, key, channel or function, a value out of range, and claims that
 // cannot be; BL_DEVICE for a file that is missing, unreadable, a folder, empty, truncated or not
-// what it should be, a program that does not answer, and without memory; BL_MISMATCH for a deep
-// image, and for a raw file of another size. Safe from several threads, and so is
-// reading the signal.
+// what it should be, a program that does not answer, and without memory; BL_MISMATCH for an image
+// that is not one plane of pixels, and for a raw file of another size. Safe from several threads,
+// and so is reading the signal.
 bl_status bl_source_open(const char *text, bl_isa isa, bl_signal **signal, bl_message *message);
 
 // The same with a seed, as a part of the signal's text, for a function or a program. Errors

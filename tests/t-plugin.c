@@ -275,6 +275,59 @@ static void test_a_value_that_is_no_number_stops_a_measurement(void **state) {
     bl_signal_free(signal);
 }
 
+// --- the examples ---
+
+// Their Makefile builds the function in a copy of the folder; its claims hold, and its spectrum
+// ends at 1 cycle per unit.
+static void test_the_example_keeps_what_it_claims(void **state) {
+    (void)state;
+    char command[1024], text[512];
+    const char *folder = bl_temporary_folder();
+    snprintf(command, sizeof command,
+             "mkdir %s/examples %s/include && cp -r examples/plugin %s/examples && "
+             "cp include/bandlimit_plugin.h %s/include && rm -f %s/examples/plugin/*.so",
+             folder, folder, folder, folder, folder);
+    assert_int_equal(bl_temporary_run(NULL, (const char *const[]){"sh", "-c", command, NULL}), 0);
+    snprintf(command, sizeof command, "%s/examples/plugin", folder);
+    const char *const make[] = {"make", "-C", command, "mynoise.so", NULL};
+    assert_int_equal(bl_temporary_run(NULL, make), 0);
+    snprintf(text, sizeof text, "%s/examples/plugin/mynoise.so:waves", folder);
+    bl_message message = {""};
+    bl_signal *signal = NULL;
+    if (bl_source_open(text, BL_ISA_BEST, &signal, &message) != BL_OK)
+        fail_msg("%s", message.text);
+    bl_psd_settings settings = bl_psd_default_settings(1);
+    bl_psd psd;
+    settings.averages = 64;
+    assert_int_equal(bl_psd_measure(signal, &settings, &psd, &message), BL_OK);
+    bl_band_limit limit = {.from = 0, .to = 1, .limit_db = -90, .guard = bl_psd_guard(&psd)};
+    bl_psd_band_limit(&psd, &limit);
+    assert_int_equal(limit.verdict, BL_OK);
+    for (int i = 0; i < 1000; i++) {
+        const double at[BL_AXES] = {0.37 * i, -0.11 * i, 0.05 * i};
+        assert_true(fabs(bl_signal_value(signal, at)) <= signal->facts.upper);
+    }
+    bl_psd_free(&psd);
+    bl_signal_free(signal);
+}
+
+// The header stands alone, in C and in C++.
+static void test_the_header_needs_nothing_else(void **state) {
+    (void)state;
+    static const char use[] =
+        "#include \"bandlimit_plugin.h\"\n"
+        "BANDLIMIT_EXPORT double f(const double p[4], unsigned d, uint64_t s,"
+        " void *u) { (void)d, (void)s, (void)u; return p[0]; }\n";
+    char command[1024];
+    bl_temporary_write(bl_temporary_path("use.c"), use, sizeof use - 1);
+    snprintf(command, sizeof command,
+             "f=%s && for way in 'cc -std=c99' 'c++ -x c++ -std=c++11'; do "
+             "$way -Wall -Wextra -pedantic -Werror -fPIC -shared -Iinclude $f -o $f.so && "
+             "nm -D $f.so | grep -q ' T f$' || exit 1; done",
+             bl_temporary_path("use.c"));
+    assert_int_equal(bl_temporary_run(NULL, (const char *const[]){"sh", "-c", command, NULL}), 0);
+}
+
 // --- refusals ---
 
 static void test_every_bad_text_is_refused_with_its_reason(void **state) {
@@ -354,6 +407,8 @@ int main(void) {
         cmocka_unit_test(test_measurements_do_not_depend_on_the_threads),
         cmocka_unit_test(test_calls_of_a_function_that_is_not_thread_safe_come_one_by_one),
         cmocka_unit_test(test_a_value_that_is_no_number_stops_a_measurement),
+        cmocka_unit_test(test_the_example_keeps_what_it_claims),
+        cmocka_unit_test(test_the_header_needs_nothing_else),
         cmocka_unit_test(test_every_bad_text_is_refused_with_its_reason),
         cmocka_unit_test(test_a_failing_init_leaves_a_reseeded_signal_out),
         cmocka_unit_test(test_every_bad_file_is_refused_with_its_reason),

@@ -18,6 +18,9 @@ void claim(bandlimit_claims *claims) {
     claims->dims = 3;
     claims->continuity = 1; // QUALITY_STD: the cubic fade
     claims->cell = 1;
+    claims->band_from = 0; // measured: -27 dB of the variance lie above 1, and -34 dB of value
+    claims->band_to = 1;
+    claims->leak_db = -25;
 }
 
 } // namespace

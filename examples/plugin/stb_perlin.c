@@ -22,6 +22,14 @@ BANDLIMIT_EXPORT double noise(const double p[4], unsigned dims, uint64_t seed, v
 
 BANDLIMIT_EXPORT void noise_claims(struct bandlimit_claims *claims) {
     claims->dims = 3;
+    // The largest sum over the corners of weight times |gradient . offset|, found numerically:
+    // 1.03636 at (0.355, 0.5, 0.481).
+    claims->lower = -1.0364;
+    claims->upper = 1.0364;
+    claims->mean = 0;
+    claims->band_from = 0; // measured: -21.5 dB of the variance lie above 1
+    claims->band_to = 1;
+    claims->leak_db = -20;
     claims->continuity = 2; // the quintic fade of 2002
     claims->cell = 1;
     for (int a = 0; a < 4; a++)
