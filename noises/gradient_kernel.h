@@ -127,6 +127,25 @@ static inline void bl_gradient_block_of_spheres(const bl_point_block *restrict b
     }
 }
 
+// Adds a corner with gradients=edges16, which has no branches.
+static inline void bl_gradient_add_edges16(const bl_point_block *restrict block, const int knot[3],
+                                           const uint32_t *restrict words,
+                                           float (*restrict fade)[BL_BLOCK], float *restrict out) {
+    const float *restrict x = block->axis[0].fraction, *restrict y = block->axis[1].fraction,
+                          *restrict z = block->axis[2].fraction;
+    const float at_x = (float)knot[0], at_y = (float)knot[1], at_z = (float)knot[2];
+    // 1 - fade, or fade.
+    const float base_x = 1 - at_x, base_y = 1 - at_y, base_z = 1 - at_z;
+    const float sign_x = 2 * at_x - 1, sign_y = 2 * at_y - 1, sign_z = 2 * at_z - 1;
+#pragma omp simd
+    for (size_t i = 0; i < block->lanes; i++) {
+        bl_vector g = bl_edge16_gradient(words[i]);
+        float weight = (base_x + sign_x * fade[0][i]) * (base_y + sign_y * fade[1][i]) *
+                       (base_z + sign_z * fade[2][i]);
+        out[i] += weight * (g.x * (x[i] - at_x) + g.y * (y[i] - at_y) + g.z * (z[i] - at_z));
+    }
+}
+
 // Any lattice and any gradients; the values are in units of 1.
 static inline void bl_gradient_block_of_any(const bl_point_block *restrict block,
                                             bl_gradients gradients,
@@ -136,6 +155,10 @@ static inline void bl_gradient_block_of_any(const bl_point_block *restrict block
     for (int corner = 0; corner < 8; corner++) {
         const int knot[3] = {corner & 1, corner >> 1 & 1, corner >> 2};
         bl_point_block_words(block, knot, 0, words);
+        if (gradients == BL_GRADIENTS_EDGES16) {
+            bl_gradient_add_edges16(block, knot, words, fade, out);
+            continue;
+        }
         for (size_t i = 0; i < block->lanes; i++) {
             bl_vector g = bl_any_gradient(gradients, words[i]);
             float weight = (knot[0] ? fade[0][i] : 1 - fade[0][i]) *
@@ -277,6 +300,20 @@ static inline void bl_gradient_row_spheres(const bl_row_block *block,
     }
 }
 
+// Adds a line of lattice points with gradients=edges16 to a row along a constant axis.
+BL_INLINE void bl_gradient_row_edges16(size_t lanes, const bl_gradient_line *restrict line,
+                                       unsigned axis, const uint32_t *restrict words,
+                                       float *restrict level, float *restrict slope) {
+    const float x = line->x, y = line->y, z = line->z, along = line->along;
+#pragma omp simd
+    for (size_t m = 0; m < lanes; m++) {
+        float a = level[m], b = slope[m];
+        bl_gradient_row_add(bl_edge16_gradient(words[m]), axis, x, y, z, along, &a, &b);
+        level[m] = a;
+        slope[m] = b;
+    }
+}
+
 static inline void bl_gradient_row_any(const bl_row_block *block, const bl_gradient_row_plan *plan,
                                        const bl_gradient_noise *noise, float *level, float *slope) {
     uint32_t add[BL_PLANES], exclusive[BL_PLANES], words[BL_PLANES];
@@ -290,9 +327,16 @@ static inline void bl_gradient_row_any(const bl_row_block *block, const bl_gradi
         else
             for (size_t m = 0; m < block->lanes; m++)
                 words[m] = (add[m] + line->add) * (exclusive[m] ^ line->exclusive);
-        for (size_t m = 0; m < block->lanes; m++)
-            bl_gradient_row_add(bl_any_gradient(noise->gradients, words[m]), plan->cross.axis,
-                                line->x, line->y, line->z, line->along, &level[m], &slope[m]);
+        if (noise->gradients == BL_GRADIENTS_EDGES16 && plan->cross.axis == 0)
+            bl_gradient_row_edges16(block->lanes, line, 0, words, level, slope);
+        else if (noise->gradients == BL_GRADIENTS_EDGES16 && plan->cross.axis == 1)
+            bl_gradient_row_edges16(block->lanes, line, 1, words, level, slope);
+        else if (noise->gradients == BL_GRADIENTS_EDGES16)
+            bl_gradient_row_edges16(block->lanes, line, 2, words, level, slope);
+        else
+            for (size_t m = 0; m < block->lanes; m++)
+                bl_gradient_row_add(bl_any_gradient(noise->gradients, words[m]), plan->cross.axis,
+                                    line->x, line->y, line->z, line->along, &level[m], &slope[m]);
     }
 }
 

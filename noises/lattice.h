@@ -309,12 +309,11 @@ static inline bl_vector bl_edge_gradient(uint32_t word) {
 // is the sign of u, the next that of v.
 static inline bl_vector bl_edge16_gradient(uint32_t word) {
     uint32_t entry = word >> 28;
-    float u = entry & 1 ? -1.0f : 1.0f, v = entry & 2 ? -1.0f : 1.0f;
+    float u = bl_float_of_bits(0x3f800000u | entry << 31);
+    float v = bl_float_of_bits(0x3f800000u | (entry >> 1) << 31);
     int u_is_x = entry < 8, v_is_y = entry < 4, v_is_x = (entry & 13) == 12;
-    return (bl_vector){u_is_x   ? u
-                       : v_is_x ? v
-                                : 0.0f,
-                       u_is_x ? (v_is_y ? v : 0.0f) : u, v_is_x || v_is_y ? 0.0f : v};
+    float x = u_is_x ? u : 0, y = u_is_x ? 0 : u, z = v_is_y ? 0 : v;
+    return (bl_vector){v_is_x ? v : x, v_is_y ? v : y, v_is_x ? 0 : z};
 }
 
 // The gradient of a word in double: the same numbers as the float kernels, whatever the mode.
