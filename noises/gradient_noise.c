@@ -162,7 +162,7 @@ static const bl_parameter parameters[] = {
      .choices = bl_gradient_modes,
      .fallback = "sphere",
      .unit = "",
-     .help = "how gradients are drawn: uniform on the sphere, by rejection, or 12 edges"},
+     .help = "how gradients are drawn: uniform on the sphere, by rejection, or edges of a cube"},
     BL_DIMENSIONS_PARAMETER(gradient_parameters, 1, 4, "3"),
     {.key = NULL}};
 

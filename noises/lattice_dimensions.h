@@ -11,9 +11,9 @@
 // Gradients in d dimensions, floats by definition (lattice.h has those of d = 3); all have the mean
 // 0 and E[g_a g_b] = 0 for a != b:
 //
-//   sphere     d = 1: uniform in (-1, 1), as a component of a unit vector in space is (Archimedes),
-//              and Perlin's own table for one dimension; E[g^2] = 1/3. The sphere itself would be
-//              the two numbers +-1, and the noise in a cell one of four curves.
+//   sphere     d = 1: uniform in (-1, 1), as a component of a unit vector in space is
+//              (Archimedes); E[g^2] = 1/3. The sphere itself would be the two numbers +-1, and the
+//              noise in a cell one of four curves.
 //              d = 2: the unit circle, 2^18 directions a quadrant from the bits 31 to 12 of the
 //              word by the polynomials of lattice.h; E[g_a^2] = 1/2.
 //              d = 4: the unit 3-sphere in Hopf's coordinates, sqrt((1-v)/2) (cos a, sin a) and
