@@ -181,12 +181,23 @@ static inline void bl_tile_block(const bl_tile *tile, const double *const at[BL_
                 place[i] = axis[2].place[k][i] + axis[1].place[j][i];
                 weight[i] = axis[2].weight[k][i] * axis[1].weight[j][i];
             }
-            if (taps[0] == 4)
-                bl_tile_add_line(tile->number, &axis[0], 4, lanes, place, weight, sum);
-            else if (taps[0] == 3)
+            // Each number of taps is a loop of its own, unrolled.
+            switch (taps[0]) {
+            case 1:
+                bl_tile_add_line(tile->number, &axis[0], 1, lanes, place, weight, sum);
+                break;
+            case 2:
+                bl_tile_add_line(tile->number, &axis[0], 2, lanes, place, weight, sum);
+                break;
+            case 3:
                 bl_tile_add_line(tile->number, &axis[0], 3, lanes, place, weight, sum);
-            else
-                bl_tile_add_line(tile->number, &axis[0], taps[0], lanes, place, weight, sum);
+                break;
+            case 4:
+                bl_tile_add_line(tile->number, &axis[0], 4, lanes, place, weight, sum);
+                break;
+            default:
+                bl_tile_add_line(tile->number, &axis[0], 6, lanes, place, weight, sum);
+            }
         }
     for (size_t i = 0; i < lanes; i++)
         out[i] = outside[i] ? NAN : sum[i];
