@@ -102,7 +102,7 @@ static void check_continuity(const bl_signal *signal, unsigned axis, bl_random *
     if (stated < 0)
         return;
     int found = axis == 3 || stated + 1 >= ORDERS; // a jump of the next derivative
-    for (int attempt = 0; attempt < 8 && (attempt == 0 || !found); attempt++) {
+    for (int attempt = 0; attempt < 20 && (attempt == 0 || !found); attempt++) {
         // The later lines are finer, for noises whose features are small beside the cell.
         sample_line(signal, random, axis, attempt < 4 ? 0x1p-11 : 0x1p-14, LONG + 1, line);
         for (int order = 0; order <= stated && order < ORDERS; order++)
