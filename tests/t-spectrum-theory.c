@@ -230,9 +230,16 @@ static void test_every_noise_has_the_spectrum_it_states(void **state) {
 // Settings that meet: both fades and gradients, weights of either sign, few and many impulses.
 static void test_settings_together_have_the_spectrum_they_state(void **state) {
     (void)state;
-    static const char *const texts[] = {
-        "gnoise:fade=quintic,gradients=edges", "vgnoise:value=0.3,gradient=-1.5,interp=bspline3",
-        "vgnoise:value=0,gradient=1,fade=linear", "scnoise:impulses=1", "scnoise:impulses=10"};
+    static const char *const texts[] = {"gnoise:fade=quintic,gradients=edges",
+                                        "vgnoise:value=0.3,gradient=-1.5,interp=bspline3",
+                                        "vgnoise:value=0,gradient=1,fade=linear",
+                                        "scnoise:impulses=1",
+                                        "scnoise:impulses=10",
+                                        "scnoise:kernel=gaussian,count=poisson,impulses=1",
+                                        "spot:dims=3,shape=disc,radius=0.7",
+                                        "spot:dims=3,shape=square,angle=20",
+                                        "spot:stretch=3,angle=30,shape=ring,count=fixed",
+                                        "gabor:kind=anisotropic,phase=zero,orientation=30"};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         check_noise(texts[i]);
 }
