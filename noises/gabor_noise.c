@@ -340,7 +340,7 @@ static void describe(const void *block, bl_facts *facts) {
                       "kernels of size at most 1; the 9 cells in reach times the most impulses of "
                       "a cell, over the root of their mean number"};
     double rate = 2 * M_PI * p->bandwidth * p->bandwidth;
-    int smooth = rate * rate * rate * exp(-rate / 2) < 0x1p-53;
+    int smooth = rate * rate * rate * exp(-rate / 2) < 0x1p-52;
     bl_lattice_describe(bound, smooth ? 3 : -1, &p->lattice, facts);
 }
 

@@ -5,14 +5,14 @@
 //
 //   catmull-rom  the radial Catmull-Rom kernel of radius 2 (radial_kernel.h), at 2 r; C1
 //   cosine       (1 + cos(pi r))/2, the raised cosine (Lewis 1989); C1
-//   gaussian     (e^(-G q) - E - G E (1-q)) / (1 - E (1+G)), G = 13/2, E = e^-G = 0.0015034: a
-//                Gaussian of standard deviation 1/sqrt(2G) = 0.27735, less the tangent in q at the
-//                rim, so that it ends without a step (0.0015 if merely cut off) and without a bend.
-//                It differs from the Gaussian by at most E (1+G)/(1 - E (1+G)) = 0.0115, and its
+//   gaussian     (e^(-G q) - E - G E (1-q)) / (1 - E (1+G)), G = 6, E = e^-G = 0.0024788: a
+//                Gaussian of standard deviation 1/sqrt(2G) = 0.28868, less the tangent in q at the
+//                rim, so that it ends without a step (0.0025 if merely cut off) and without a bend.
+//                It differs from the Gaussian by at most E (1+G)/(1 - E (1+G)) = 0.0177, and its
 //                spectrum falls as that of a C1 kernel instead of that of a step; C1
 //   ring         2 (e^(-G q) - e^(-4 G q) - A - B (1-q)), A = E - E^4, B = G (E - 4 E^4): the
-//                difference of two Gaussians, less the tangent at the rim; C1. Its crest of 0.94
-//                is at r = 0.27, -0.0225 in the middle.
+//                difference of two Gaussians, less the tangent at the rim; C1. Its crest of 0.9126
+//                is at r = 0.28; -0.0347 in the middle.
 //   disc         1; discontinuous
 // All are 0 for q >= 1.
 //
@@ -39,9 +39,9 @@ typedef enum bl_profile {
     BL_PROFILE_DISC
 } bl_profile;
 
-#define BL_GAUSSIAN_RATE 6.5                         // G
-#define BL_GAUSSIAN_EDGE 0.0015034391929775724474    // E = e^-G
-#define BL_GAUSSIAN_EDGE_4 5.1090890280633247199e-12 // E^4
+#define BL_GAUSSIAN_RATE 6.0                         // G
+#define BL_GAUSSIAN_EDGE 0.0024787521766663584230    // E = e^-G
+#define BL_GAUSSIAN_EDGE_4 3.7751345442790977516e-11 // E^4
 
 double bl_profile_value(bl_profile profile, double q);
 double bl_profile_slope(bl_profile profile, double q); // dK/dq

@@ -17,7 +17,7 @@
 //   kernel    exact: the radial Catmull-Rom kernel (radial_kernel.h); table:R: the text's table of
 //             it, R entries a unit of squared distance, nearest entry (1 to 1000000, 100 in the
 //             text), evaluated in double, without the fast paths; cosine: (1 + cos(pi r/2))/2, the
-//             window of lewis1989; gaussian: of standard deviation 0.5547, less its tangent at
+//             window of lewis1989; gaussian: of standard deviation 0.5774, less its tangent at
 //             r = 2 (impulse_profiles.h)
 //
 // Range: bounded by the number of impulses in reach (closed_forms.h, impulse_profiles.h), for

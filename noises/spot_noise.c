@@ -14,9 +14,9 @@
 //   count     poisson: the number in a cell is Poisson (impulses.h); fixed: always N
 //   shape     disc, gaussian, cosine, ring: functions of the distance (impulse_profiles.h);
 //             square: 1 in the square (cube) inscribed in the circle (ball)
-//   radius    1/16 to 1 cell: the spot is 0 outside of this circle, so that the cells around that
+//   radius    1/8 to 1 cell: the spot is 0 outside of this circle, so that the cells around that
 //             of the point are enough
-//   stretch   1 to 16: the spot is narrower by this factor across `angle`; its length stays
+//   stretch   1 to 8: the spot is narrower by this factor across `angle`; its length stays
 //   angle     -360 to 360 degrees, of the long axis from x towards y; turns the square
 //
 // Bound: each of the 3^dims cells in reach has at most M impulses (N, or the largest Poisson count
@@ -75,7 +75,7 @@ static const bl_parameter parameters[] = {
     {.key = "radius",
      .kind = BL_REAL,
      .offset = AT(radius),
-     .minimum = 0.0625,
+     .minimum = 0.125,
      .maximum = 1,
      .fallback = "1",
      .unit = "cells",
@@ -84,7 +84,7 @@ static const bl_parameter parameters[] = {
      .kind = BL_REAL,
      .offset = AT(stretch),
      .minimum = 1,
-     .maximum = 16,
+     .maximum = 8,
      .fallback = "1",
      .unit = "",
      .help = "length over width of the spot"},

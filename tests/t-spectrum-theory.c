@@ -252,7 +252,12 @@ static void test_settings_together_have_the_spectrum_they_state(void **state) {
                                         "gnoise:dims=4",
                                         "gnoise:dims=2,gradients=edges",
                                         "gnoise:dims=4,gradients=edges",
-                                        "gnoise:dims=4,gradients=rejection,fade=quintic"};
+                                        "gnoise:dims=4,gradients=rejection,fade=quintic",
+                                        "scnoise:kernel=gaussian,count=poisson,impulses=1",
+                                        "spot:dims=3,shape=disc,radius=0.7",
+                                        "spot:dims=3,shape=square,angle=20",
+                                        "spot:stretch=3,angle=30,shape=ring,count=fixed",
+                                        "gabor:kind=anisotropic,phase=zero,orientation=30"};
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         check_noise(texts[i]);
 }
