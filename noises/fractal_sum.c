@@ -28,8 +28,8 @@
 //
 // Known defects: lattice points of octaves coincide, and a zero of gnoise at all integers is one of
 // the sum; fbm has offsets, rotations and other ratios of frequency.
-// Source: peachey2003, sections Spectral Synthesis (at figure 2.38) and Clamping. Deviations: those of the clamping,
-// in noises/octaves.h.
+// Source: peachey2003, sections Spectral Synthesis (at figure 2.38) and Clamping. Deviations: those
+// of the clamping, in noises/octaves.h.
 #include <stddef.h>
 
 #include "noises/noise.h"

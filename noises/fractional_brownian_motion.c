@@ -33,8 +33,9 @@
 //
 // Known defects: with seeds=same and shift=none octaves meet at the origin; a lacunarity of 1 only
 // adds up noises of one frequency.
-// Source: peachey2003, section Spectral Synthesis (at figure 2.40: lacunarity, amplitudes, Worley). Deviations: fresh
-// seeds, which the text does not have, are the default; shift and rotate are written from the idea.
+// Source: peachey2003, section Spectral Synthesis (at figure 2.40: lacunarity, amplitudes, Worley).
+// Deviations: fresh seeds, which the text does not have, are the default; shift and rotate are
+// written from the idea.
 #include <stddef.h>
 
 #include "noises/noise.h"

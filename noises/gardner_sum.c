@@ -103,13 +103,13 @@ static gardner_terms terms_of(const gardner_parameters *p) {
 BL_INLINE double cosine_of_turns(double t) {
     double r = fabs(t - floor(t + 0.5));
     double z = 2 * M_PI * (0.25 - r), s = z * z;
-    double sum = 1 - s / (14 * 15);
-    sum = 1 - s / (12 * 13) * sum;
-    sum = 1 - s / (10 * 11) * sum;
-    sum = 1 - s / (8 * 9) * sum;
-    sum = 1 - s / (6 * 7) * sum;
-    sum = 1 - s / (4 * 5) * sum;
-    sum = 1 - s / (2 * 3) * sum;
+    double sum = 1 - s * (1.0 / (14 * 15));
+    sum = 1 - s * (1.0 / (12 * 13)) * sum;
+    sum = 1 - s * (1.0 / (10 * 11)) * sum;
+    sum = 1 - s * (1.0 / (8 * 9)) * sum;
+    sum = 1 - s * (1.0 / (6 * 7)) * sum;
+    sum = 1 - s * (1.0 / (4 * 5)) * sum;
+    sum = 1 - s * (1.0 / (2 * 3)) * sum;
     return z * sum;
 }
 

@@ -101,7 +101,8 @@ static bl_status make_signal(const bl_noise *noise, const void *block, bl_signal
     if (status != BL_OK)
         return status;
     made->seed_offset = noise->seed_offset;
-    made->dimensions = noise->dimensions_of ? noise->dimensions_of(made->parameters) : noise->dimensions;
+    made->dimensions =
+        noise->dimensions_of ? noise->dimensions_of(made->parameters) : noise->dimensions;
     made->name = noise->name;
     noise->describe(made->parameters, &made->facts);
     made->closed_form = noise->functions.covariance &&

@@ -7,9 +7,10 @@
 //
 // with F the identity, the size |n|, or the ridge (offset - |n|)^2 weighted by the octave before.
 //
-// Clamping. A view whose samples stand `width` units apart can show frequencies below the Nyquist
-// limit 1/(2 width). An octave's energy ends about at t = f_i * band_to, the frequency of the
-// octave times the band that its basis claims (1 where it claims none). It is kept with the weight
+// Clamping (Norton, Rockwood and Skolmoski 1982). A view whose samples stand `width` units apart
+// can show frequencies below the Nyquist limit 1/(2 width). An octave's energy ends about at t =
+// f_i * band_to, the frequency of the octave times the band that its basis claims (1 where it
+// claims none). It is kept with the weight
 //
 //   none   1
 //   hard   1 if t < 1/(2 width), else 0

