@@ -24,7 +24,7 @@ extern "C" {
 #include "core/file.h"
 #include "core/grammar.h"
 #include "reports/image.h"
-#include "reports/tile.h"
+#include "reports/sampled_tile.h"
 }
 
 namespace {
@@ -321,7 +321,7 @@ class Pixels {
 
 // The parameter block of the signal.
 struct Block {
-    bl_tile tile;
+    bl_sampled_tile tile;
     Pixels *pixels; // owned; released by image_release
 };
 
@@ -336,11 +336,11 @@ extern "C" void image_span(const void *source, const size_t index[BL_AXES], size
 
 extern "C" void image_row(const void *parameters, const double start[BL_AXES],
                           const double step[BL_AXES], size_t count, float *out) {
-    bl_tile_row(&static_cast<const Block *>(parameters)->tile, start, step, count, out);
+    bl_sampled_tile_row(&static_cast<const Block *>(parameters)->tile, start, step, count, out);
 }
 
 extern "C" double image_value(const void *parameters, const double at[BL_AXES]) {
-    return bl_tile_value(&static_cast<const Block *>(parameters)->tile, at);
+    return bl_sampled_tile_value(&static_cast<const Block *>(parameters)->tile, at);
 }
 
 extern "C" void image_points(const void *parameters, const double *const at[BL_AXES], size_t count,
@@ -496,7 +496,7 @@ bl_status make_signal(const bl_image_source &source, double spacing, std::unique
     if (!signal)
         return bl_report(message, BL_DEVICE, "out of memory opening '%s'", source.path);
     signal->name = "image";
-    bl_tile_describe(&block.tile, signal);
+    bl_sampled_tile_describe(&block.tile, signal);
     (void)pixels.release(); // the signal owns it now
     *out = signal;
     return BL_OK;

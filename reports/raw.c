@@ -14,7 +14,7 @@
 
 #include "core/grammar.h"
 #include "reports/source_kinds.h"
-#include "reports/tile.h"
+#include "reports/sampled_tile.h"
 
 enum { FLOAT32, UINT8, UINT16 };
 
@@ -29,7 +29,7 @@ typedef struct raw_settings {
 
 // The parameter block; the tile's source is `values`.
 typedef struct raw_block {
-    bl_tile tile;
+    bl_sampled_tile tile;
     float *values; // owned
 } raw_block;
 
@@ -67,14 +67,14 @@ static const bl_parameter raw_parameters[] = {
     {.key = "wrap",
      .kind = BL_CHOICE,
      .offset = AT(wrap),
-     .choices = bl_tile_wrap_words,
+     .choices = bl_sampled_tile_wrap_words,
      .fallback = "none",
      .unit = "",
      .help = "what stands beyond the edge"},
     {.key = "interp",
      .kind = BL_CHOICE,
      .offset = AT(reading),
-     .choices = bl_tile_reading_words,
+     .choices = bl_sampled_tile_reading_words,
      .fallback = "nearest",
      .unit = "",
      .help = "what stands between the samples"},
@@ -97,30 +97,30 @@ static void raw_span(const void *source, const size_t index[BL_AXES], size_t cou
 }
 
 // The signal keeps a copy of the block, so the tile is told where that is at each use.
-static bl_tile own_tile(const void *parameters) {
-    bl_tile tile = ((const raw_block *)parameters)->tile;
+static bl_sampled_tile own_tile(const void *parameters) {
+    bl_sampled_tile tile = ((const raw_block *)parameters)->tile;
     tile.source = parameters;
     return tile;
 }
 
 static void raw_row(const void *parameters, const double start[BL_AXES], const double step[BL_AXES],
                     size_t count, float *out) {
-    bl_tile tile = own_tile(parameters);
-    bl_tile_row(&tile, start, step, count, out);
+    bl_sampled_tile tile = own_tile(parameters);
+    bl_sampled_tile_row(&tile, start, step, count, out);
 }
 
 static void raw_points(const void *parameters, const double *const at[BL_AXES], size_t count,
                        float *out) {
-    bl_tile tile = own_tile(parameters);
+    bl_sampled_tile tile = own_tile(parameters);
     for (size_t i = 0; i < count; i++) {
         const double place[BL_AXES] = {at[0][i], at[1][i], at[2][i], at[3][i]};
-        out[i] = (float)bl_tile_value(&tile, place);
+        out[i] = (float)bl_sampled_tile_value(&tile, place);
     }
 }
 
 static double raw_value(const void *parameters, const double at[BL_AXES]) {
-    bl_tile tile = own_tile(parameters);
-    return bl_tile_value(&tile, at);
+    bl_sampled_tile tile = own_tile(parameters);
+    return bl_sampled_tile_value(&tile, at);
 }
 
 static void raw_release(void *parameters) {
@@ -133,8 +133,8 @@ static const bl_signal_functions raw_functions = {
 // --- opening ---
 
 // Reads 128x128x128; in doubles, so that no product wraps.
-static bl_status read_size(const char *text, const char *word, bl_tile *tile, double *samples,
-                           bl_message *message) {
+static bl_status read_size(const char *text, const char *word, bl_sampled_tile *tile,
+                           double *samples, bl_message *message) {
     char copy[BL_TEXT_SIZE], *rest = NULL;
     *samples = 1;
     snprintf(copy, sizeof copy, "%s", word);
@@ -277,7 +277,7 @@ bl_status bl_raw_open(const char *text, bl_signal **signal, bl_message *message)
         return bl_report(message, BL_DEVICE, "out of memory opening '%s'", text);
     }
     made->name = "raw";
-    bl_tile_describe(&block.tile, made);
+    bl_sampled_tile_describe(&block.tile, made);
     *signal = made;
     return BL_OK;
 }

@@ -14,7 +14,7 @@
 #include "core/grammar.h"
 #include "reports/image.h"
 #include "reports/source_kinds.h"
-#include "reports/tile.h"
+#include "reports/sampled_tile.h"
 
 static int ends_with(const char *text, size_t length, const char *ending) {
     size_t tail = strlen(ending);
@@ -119,14 +119,14 @@ static const bl_parameter image_parameters[] = {
     {.key = "wrap",
      .kind = BL_CHOICE,
      .offset = offsetof(image_settings, wrap),
-     .choices = bl_tile_wrap_words,
+     .choices = bl_sampled_tile_wrap_words,
      .fallback = "none",
      .unit = "",
      .help = "what stands beyond the edge"},
     {.key = "interp",
      .kind = BL_CHOICE,
      .offset = offsetof(image_settings, reading),
-     .choices = bl_tile_reading_words,
+     .choices = bl_sampled_tile_reading_words,
      .fallback = "nearest",
      .unit = "",
      .help = "what stands between the pixels"},

@@ -31,7 +31,7 @@
 //
 // A tile is measured on its own samples, each once, whether it is wrapped or not: random places at
 // another rate would alias. Only one that is wrapped and interpolated is a function like any other,
-// measured at random places; its spectrum shows the interpolation too (reports/tile.h).
+// measured at random places; its spectrum shows the interpolation too (reports/sampled_tile.h).
 //
 // Bare samples (.raw) stand x fastest, little-endian; size= and offset= must account for every byte
 // of the file. Keys: size=WxHxD (one to four axes), dtype=float32|uint8|uint16, offset=BYTES, and

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "reports/tile.h"
+#include "reports/sampled_tile.h"
 
 #include <math.h>
 
-const char *const bl_tile_wrap_words[] = {"none", "periodic", "mirror", NULL};
-const char *const bl_tile_reading_words[] = {"nearest", "linear", "cubic", NULL};
+const char *const bl_sampled_tile_wrap_words[] = {"none", "periodic", "mirror", NULL};
+const char *const bl_sampled_tile_reading_words[] = {"nearest", "linear", "cubic", NULL};
 
 enum { TAPS = 4 };
 
@@ -25,8 +25,8 @@ static size_t sample_index(double place, size_t size, uint32_t wrap) {
 
 // The samples around a coordinate and their weights along one axis; those of weight 0 are left out,
 // so that the last sample of a tile needs no neighbour. Zero if there is no value.
-static unsigned axis_taps(const bl_tile *tile, unsigned axis, double coordinate, size_t index[TAPS],
-                          double weight[TAPS]) {
+static unsigned axis_taps(const bl_sampled_tile *tile, unsigned axis, double coordinate,
+                          size_t index[TAPS], double weight[TAPS]) {
     double place = coordinate / tile->spacing;
     if (!isfinite(place) || (tile->wrap != BL_WRAP_NONE && fabs(coordinate) > FARTHEST))
         return 0;
@@ -61,7 +61,7 @@ static unsigned axis_taps(const bl_tile *tile, unsigned axis, double coordinate,
     return count;
 }
 
-double bl_tile_value(const bl_tile *tile, const double at[BL_AXES]) {
+double bl_sampled_tile_value(const bl_sampled_tile *tile, const double at[BL_AXES]) {
     size_t index[BL_AXES][TAPS] = {{0}};
     double weight[BL_AXES][TAPS], sum = 0;
     unsigned taps[BL_AXES] = {1, 1, 1, 1}, total = 1;
@@ -90,8 +90,8 @@ double bl_tile_value(const bl_tile *tile, const double at[BL_AXES]) {
 }
 
 // Whether a row walks the samples one by one and stays within the tile; `first` is where it starts.
-static int is_span(const bl_tile *tile, const double start[BL_AXES], const double step[BL_AXES],
-                   size_t count, size_t first[BL_AXES]) {
+static int is_span(const bl_sampled_tile *tile, const double start[BL_AXES],
+                   const double step[BL_AXES], size_t count, size_t first[BL_AXES]) {
     if (count == 0 || tile->reading != BL_READ_NEAREST || step[0] != tile->spacing)
         return 0;
     for (unsigned a = 0; a < BL_AXES; a++) {
@@ -109,8 +109,8 @@ static int is_span(const bl_tile *tile, const double start[BL_AXES], const doubl
     return end != SIZE_MAX && end - first[0] == count - 1;
 }
 
-void bl_tile_row(const bl_tile *tile, const double start[BL_AXES], const double step[BL_AXES],
-                 size_t count, float *out) {
+void bl_sampled_tile_row(const bl_sampled_tile *tile, const double start[BL_AXES],
+                         const double step[BL_AXES], size_t count, float *out) {
     size_t first[BL_AXES];
     if (is_span(tile, start, step, count, first)) {
         tile->span(tile->source, first, count, out);
@@ -120,11 +120,11 @@ void bl_tile_row(const bl_tile *tile, const double start[BL_AXES], const double 
         double at[BL_AXES];
         for (unsigned a = 0; a < BL_AXES; a++)
             at[a] = start[a] + (double)i * step[a];
-        out[i] = (float)bl_tile_value(tile, at);
+        out[i] = (float)bl_sampled_tile_value(tile, at);
     }
 }
 
-void bl_tile_describe(const bl_tile *tile, bl_signal *signal) {
+void bl_sampled_tile_describe(const bl_sampled_tile *tile, bl_signal *signal) {
     signal->dimensions = tile->dims;
     int everywhere = tile->wrap != BL_WRAP_NONE;
     for (unsigned a = 0; a < BL_AXES; a++) {
