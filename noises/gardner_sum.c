@@ -26,8 +26,9 @@
 // like in y at once: u_2 = 2 u_1, but v_2 = 2.12 v_1.
 // Variance, band: not stated; phases that wave make sidebands beyond the nominal frequencies, at
 // sums with multiples of u_{i-1} and v_{i-1}. All derivatives exist (class 99 stands for it).
-// Period: none in doubles. In exact numbers, with 5 terms, 10869.565... (250000/23) units along x
-// and 3720238.095... (78125000/21) along y. Far: 2^52, where doubles are whole.
+// Period: that of the frequencies, which are whole multiples of a common one: with 5 terms
+// 10869.565... (250000/23) units along x and 3720238.095... (78125000/21) along y; to rounding,
+// because these are no doubles. Far: 2^52, where doubles are whole.
 // NaN, an infinity, and coordinates beyond 2^62 give NaN. Rows and points are computed in double
 // with a cosine of their own, wrong by less than 7e-12, and rounded to float at the end.
 //
@@ -98,10 +99,16 @@ static gardner_terms terms_of(const gardner_parameters *p) {
 
 // --- points -------------------------------------------------------------------------------------
 
+// Whole turns are taken off before a phase is added: the sum of a place of 1e15 and a phase would
+// round to an eighth, so that phases a hair apart, as those of floats and doubles, would part.
+BL_INLINE double turns_of(double t) {
+    return t - floor(t + 0.5);
+}
+
 // cos(2 pi t) = sin(z), z = 2 pi (1/4 - |t - round t|) in [-pi/2, pi/2], by its Taylor polynomial
 // of degree 15: the error is below the next term, (pi/2)^17 / 17! = 6.1e-12.
 BL_INLINE double cosine_of_turns(double t) {
-    double r = fabs(t - floor(t + 0.5));
+    double r = fabs(turns_of(t));
     double z = 2 * M_PI * (0.25 - r), s = z * z;
     double sum = 1 - s * (1.0 / (14 * 15));
     sum = 1 - s * (1.0 / (12 * 13)) * sum;
@@ -121,12 +128,12 @@ static void add_term(gardner_block *restrict block, size_t count, double across,
                      double square) {
 #pragma omp simd
     for (size_t i = 0; i < count; i++) {
-        double x = block->x[i], y = block->y[i];
-        double first = 0.5 + cosine_of_turns(across * (x + block->x_phase[i]));
-        double second = 0.5 + cosine_of_turns(up * (y + block->y_phase[i]));
+        double x = turns_of(across * block->x[i]), y = turns_of(up * block->y[i]);
+        double first = 0.5 + cosine_of_turns(x + across * block->x_phase[i]);
+        double second = 0.5 + cosine_of_turns(y + up * block->y_phase[i]);
         block->sum[i] += square * (first * second);
-        block->x_phase[i] = X_PHASE * cosine_of_turns(up * y);
-        block->y_phase[i] = Y_PHASE * cosine_of_turns(across * x);
+        block->x_phase[i] = X_PHASE * cosine_of_turns(y);
+        block->y_phase[i] = Y_PHASE * cosine_of_turns(x);
     }
 }
 
@@ -160,7 +167,7 @@ static void row(const void *parameters, const double start[BL_AXES], const doubl
 // --- the reference in double --------------------------------------------------------------------
 
 static double wave(double turns, double *slope) {
-    double angle = 2 * M_PI * (turns - floor(turns + 0.5));
+    double angle = 2 * M_PI * turns_of(turns);
     *slope = -2 * M_PI * sin(angle); // by the turns
     return cos(angle);
 }
@@ -175,8 +182,9 @@ static double reference(const void *parameters, const double at[BL_AXES],
         gradient[a] = inside ? 0 : NAN;
     for (unsigned i = 0; inside && i < terms.count; i++) {
         double u = terms.across[i], v = terms.up[i], slopes[4];
-        double first = 0.5 + wave(u * (x + x_phase), &slopes[0]);
-        double second = 0.5 + wave(v * (y + y_phase), &slopes[1]);
+        double x_turns = turns_of(u * x), y_turns = turns_of(v * y);
+        double first = 0.5 + wave(x_turns + u * x_phase, &slopes[0]);
+        double second = 0.5 + wave(y_turns + v * y_phase, &slopes[1]);
         sum += terms.square[i] * first * second;
         if (gradient) {
             double to_first = terms.square[i] * second * slopes[0] * u;
@@ -184,8 +192,8 @@ static double reference(const void *parameters, const double at[BL_AXES],
             gradient[0] += to_first + to_second * y_phase_slope;
             gradient[1] += to_first * x_phase_slope + to_second;
         }
-        x_phase = X_PHASE * wave(v * y, &slopes[2]);
-        y_phase = Y_PHASE * wave(u * x, &slopes[3]);
+        x_phase = X_PHASE * wave(y_turns, &slopes[2]);
+        y_phase = Y_PHASE * wave(x_turns, &slopes[3]);
         x_phase_slope = X_PHASE * slopes[2] * v;
         y_phase_slope = Y_PHASE * slopes[3] * u;
     }
@@ -198,6 +206,33 @@ static double value(const void *parameters, const double at[BL_AXES]) {
 
 static void gradient(const void *parameters, const double at[BL_AXES], double out[BL_AXES]) {
     reference(parameters, at, out);
+}
+
+// u_i = 0.023 prod (19 + j)/10 and v_i = 0.021 prod (220 - 8 j)/100, j < i, as whole numbers over
+// 10^3 denominator^7: the largest is 21 * 220 * 212 ... 172 < 2^58.
+typedef struct multipliers {
+    uint64_t first, start, denominator;
+    int64_t change;
+} multipliers;
+#define X_MULTIPLIERS ((multipliers){23, 19, 10, 1})
+#define Y_MULTIPLIERS ((multipliers){21, 220, 100, -8})
+
+// Waves whose frequencies are whole multiples of a number repeat after one over it, and after
+// nothing smaller if it is the largest such number.
+static double period_of(unsigned count, multipliers m) {
+    uint64_t common = 0, unit = 1;
+    for (unsigned i = 0; i < TERMS_MOST - 1; i++)
+        unit *= m.denominator;
+    for (unsigned i = 0; i < count; i++) {
+        uint64_t frequency = m.first;
+        for (unsigned j = 0; j < TERMS_MOST - 1; j++)
+            frequency *= j < i ? m.start + (uint64_t)(m.change * (int64_t)j) : m.denominator;
+        for (uint64_t rest; frequency; frequency = rest) { // Euclid
+            rest = common % frequency;
+            common = frequency;
+        }
+    }
+    return 1000.0 * (double)unit / (double)common;
 }
 
 static void describe(const void *parameters, bl_facts *facts) {
@@ -214,6 +249,10 @@ static void describe(const void *parameters, bl_facts *facts) {
     facts->continuity = 99; // all derivatives
     for (int a = 0; a < BL_AXES; a++)
         facts->period[a] = 0;
+    if (terms.count) {
+        facts->period[0] = period_of(terms.count, X_MULTIPLIERS);
+        facts->period[1] = period_of(terms.count, Y_MULTIPLIERS);
+    }
     facts->cell = 0;
     facts->far = 0x1p52;
 }

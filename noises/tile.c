@@ -147,7 +147,7 @@ void bl_tile_describe(const bl_tile *tile, bl_facts *facts) {
     facts->mean = 0;
     facts->continuity = 2;
     facts->cell = 1 / tile->rate;
-    facts->far = 0x1p52; // from here on doubles are whole numbers
+    facts->far = 0x1p52 * facts->cell; // from here on doubles are whole multiples of a cell
     for (uint32_t a = 0; a < BL_AXES; a++)
         facts->period[a] = a < tile->dimensions ? tile->size[a] / tile->rate : 0;
     for (uint32_t a = 0; a < tile->dimensions; a++) {

@@ -24,6 +24,16 @@ static void choose_place(bl_random *random, int decade, int index, double at[BL_
     }
 }
 
+// The domain ends at 2^62, or where the finest octave of a sum reaches it: 2^10 times as far as
+// where its fraction is lost.
+static double domain_of(const bl_signal *signal) {
+    return signal->facts.far < 0x1p52 ? 0x1p10 * signal->facts.far : 0x1p62;
+}
+
+static double largest(const double at[BL_AXES]) {
+    return fmax(fmax(fabs(at[0]), fabs(at[1])), fmax(fabs(at[2]), fabs(at[3])));
+}
+
 static void test_floats_keep_their_tolerance_from_1e_minus_30_to_1e18(void **state) {
     (void)state;
     const bl_texts *list = bl_test_texts();
@@ -33,6 +43,7 @@ static void test_floats_keep_their_tolerance_from_1e_minus_30_to_1e18(void **sta
         double range = fmax(fabs(signal->facts.lower), fabs(signal->facts.upper));
         // As in t-registry: 2^-24 is half a unit in the last place at 1, of which 32 may be spent.
         double tolerance = 32 * 0x1p-24 * fmax(1, range);
+        double domain = domain_of(signal);
         for (int d = 0; d < DECADES; d++) {
             double at[PLACES][BL_AXES], column[BL_AXES][PLACES];
             float out[PLACES];
@@ -46,7 +57,7 @@ static void test_floats_keep_their_tolerance_from_1e_minus_30_to_1e18(void **sta
                              PLACES, out);
             for (int i = 0; i < PLACES; i++) {
                 double expected = bl_signal_value(signal, at[i]);
-                if (!(fabs((double)out[i] - expected) <= tolerance))
+                if (largest(at[i]) < domain && !(fabs((double)out[i] - expected) <= tolerance))
                     fail_msg("%s at (%.17g, %.17g, %.17g, %.17g): %.9g, reference %.9g",
                              list->text[n], at[i][0], at[i][1], at[i][2], at[i][3], (double)out[i],
                              expected);
@@ -118,7 +129,7 @@ static void test_denormals_and_the_ends_of_integers_give_numbers(void **state) {
                 double at[BL_AXES] = {0.3, 0.7, 1.1, 2.9}, value[3];
                 at[axis] = places[i];
                 by_all_paths(signal, at, value);
-                for (int path = 0; path < 3; path++)
+                for (int path = 0; path < 3 && fabs(places[i]) < domain_of(signal); path++)
                     if (!isfinite(value[path]))
                         fail_msg("%s: %g at %c = %.17g", list->text[n], value[path], "xyzw"[axis],
                                  places[i]);

@@ -290,7 +290,7 @@ static void test_the_gradient_is_the_derivative(void **state) {
                 // Octaves of high frequency have large derivatives: a finer difference then agrees.
                 double limit = 1e-6 * fmax(1, fabs(gradient[a]));
                 double slope = central_difference(signal, at, a, 1e-5);
-                for (double h = 1e-6; h > 5e-8 && !(fabs(slope - gradient[a]) < limit); h /= 10)
+                for (double h = 1e-6; h > 5e-10 && !(fabs(slope - gradient[a]) < limit); h /= 10)
                     slope = central_difference(signal, at, a, h);
                 disagree += !(fabs(slope - gradient[a]) < limit);
                 if (disagree > (signal->facts.continuity == 0 ? 3 : 0))

@@ -268,7 +268,8 @@ static void test_the_mean_and_the_variance_are_as_stated(void **state) {
     for (size_t i = 0; i < bl_noise_count(); i++) {
         bl_signal *signal = open_noise(bl_noise_at(i, BL_ISA_BEST)->name);
         if (bl_signal_has_closed_form(signal)) {
-            bl_psd_settings settings = line_settings(oblique, bl_test_scaled(400, 100), 31);
+            bl_psd_settings settings = line_settings(signal->dimensions > 2 ? oblique : along_x,
+                                                     bl_test_scaled(400, 100), 31);
             settings.level = 1 - 1e-6;
             settings.window = BL_WINDOW_RECTANGLE;
             bl_psd psd = measure(signal, &settings);
