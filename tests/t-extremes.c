@@ -25,9 +25,9 @@ static void choose_place(bl_random *random, int decade, int index, double at[BL_
 }
 
 // The domain ends at 2^62, or where the finest octave of a sum reaches it: 2^10 times as far as
-// where its fraction is lost.
+// where its fraction is lost, which is told to a factor of 2.
 static double domain_of(const bl_signal *signal) {
-    return signal->facts.far < 0x1p52 ? 0x1p10 * signal->facts.far : 0x1p62;
+    return signal->facts.far < 0x1p52 ? 0x1p9 * signal->facts.far : 0x1p62;
 }
 
 static double largest(const double at[BL_AXES]) {

@@ -132,9 +132,10 @@ static void check_continuity(const bl_signal *signal, unsigned axis, bl_random *
         return;
     int found = axis == OBLIQUE || stated + 1 >= ORDERS; // a jump of the next derivative
     for (int attempt = 0; attempt < 20 && (attempt == 0 || !found); attempt++) {
-        // The later lines are finer, for noises whose features are small beside the cell.
-        double step = attempt < 4 ? 0x1p-11 : 0x1p-14;
-        sample_line(signal, random, axis, step * cell, LONG + 1, line);
+        // The next lines are finer, for noises whose features are small beside the cell; the last
+        // ones are of two units, for those whose waves are long beside it.
+        double step = attempt < 4 ? 0x1p-11 * cell : attempt < 14 ? 0x1p-14 * cell : 0x1p-11;
+        sample_line(signal, random, axis, step, LONG + 1, line);
         for (int order = 0; order <= stated && order < ORDERS; order++)
             if (jumps(line, LONG + 1, (unsigned)order))
                 fail_msg("%s: states class %d, and derivative %d jumps on line %u", signal->text,
