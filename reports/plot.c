@@ -172,6 +172,7 @@ static void put_series(FILE *out, const bl_series *series) {
 // --- the legend, in one row under the title: gnuplot's own keeps to the width of one panel
 // --------
 
+enum { TITLE_LETTER = 9 }; // pixels, of a title that must not run into the next
 enum { SAMPLE = 32, LETTER = 8, LEGEND_GAP = 22, LEGEND_TOP = 48 }; // pixels; LETTER on average
 
 // Title and legend begin at the left, where a narrow screen that scrolls begins to show.
@@ -256,6 +257,14 @@ static void put_image(FILE *out, const bl_plot *plot, const layout *l, size_t in
             (plot->white - plot->black) / 255);
 }
 
+// What fits over the panel: the beginning of the title, with dots for the rest.
+static void shorten(char *out, size_t size, const char *title, size_t letters) {
+    if (strlen(title) <= letters)
+        snprintf(out, size, "%s", title);
+    else
+        snprintf(out, size, "%.*s...", (int)(letters > 3 ? letters - 3 : 0), title);
+}
+
 static void put_panel(FILE *out, const bl_plot *plot, const layout *l, size_t index) {
     const bl_panel *panel = &plot->panels[index];
     int own_y = plot->y.from == plot->y.to;
@@ -267,10 +276,13 @@ static void put_panel(FILE *out, const bl_plot *plot, const layout *l, size_t in
         put_limit(out, &plot->limits[i], index == 0);
     char letter[32];
     snprintf(letter, sizeof letter, "(%c%.0zu) ", (int)('a' + index % 26), index / 26);
+    char title[160];
+    shorten(title, sizeof title, panel->title,
+            (size_t)(l->panel_width / TITLE_LETTER) - strlen(letter));
     fputs("set label ", out);
     put_text(out, letter);
     fputc('.', out);
-    put_text(out, panel->title);
+    put_text(out, title);
     fputs(" at graph 0, graph 1 left offset 0, character 0.75\n", out);
     if (index == 0)
         put_page_texts(out, plot, l);

@@ -247,8 +247,8 @@ static bl_status run_histograms(bl_run *run, bl_message *message) {
     status = bl_gallery_draw_histograms(
         run, &gallery, (size_t)bl_run_pick(run, 1 << 16, 1 << 20, 1 << 24),
         "How are the values of the signals distributed?",
-        "Densities of the values, one panel a signal, over the normal density of the same mean "
-        "and variance.",
+        "Densities of the values, one panel a signal, in standard deviations from the mean, over "
+        "the normal density.",
         message);
     bl_gallery_close(&gallery);
     return status;
@@ -261,7 +261,7 @@ static const bl_figure histograms_figure = {
     .paper = "peachey2003, the paragraph before Spectral Synthesis",
     .shows =
         "Each panel is the density of the values of one signal over random places, with the "
-        "normal density of the same mean and variance, dashed. histograms.csv holds the "
+        "normal density, dashed. histograms.csv holds the "
         "moments and the range, and the bounds that the signals state.",
     .run = run_histograms};
 

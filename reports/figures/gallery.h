@@ -97,6 +97,8 @@ typedef struct bl_gallery_spectrum_plot {
     int logarithmic;        // axis of the frequency
     double lowest_db, highest_db;
     double tick, tick_db;
+    double limit; // a frequency to mark; 0: the end of the ideal band, 1
+    const char *limit_label;
     const char *x_label;
 } bl_gallery_spectrum_plot;
 
@@ -113,8 +115,8 @@ bl_status bl_gallery_draw_anisotropy(bl_run *run, const bl_gallery *gallery,
 
 // --- histograms ---------------------------------------------------------------------------------
 
-// Measures and draws the distribution of the values over `samples` places, with the normal density
-// of the same mean and variance behind it; writes histogram-KEY.csv, histograms.csv (moments and
+// Measures and draws the distribution of the values over `samples` places, in standard deviations
+// from the mean, over the normal density; writes histogram-KEY.csv, histograms.csv (moments and
 // range of each) and the plot "histograms".
 bl_status bl_gallery_draw_histograms(bl_run *run, const bl_gallery *gallery, size_t samples,
                                      const char *title, const char *alternative,

@@ -9,24 +9,30 @@
 
 enum { BINS = 96 };
 
+// The densities over the values, and over the values less the mean in standard deviations, in which
+// all signals share one scale. Returns the largest of the latter in *highest.
 static bl_status write_histogram(bl_run *run, const bl_gallery *gallery, size_t index,
-                                 const bl_histogram *h, bl_message *message) {
-    double centre[BINS], density[BINS], normal[BINS];
+                                 const bl_histogram *h, double *highest, bl_message *message) {
+    double centre[BINS], density[BINS], deviations[BINS], standard[BINS], normal[BINS];
     double deviation = sqrt(h->variance.value);
     for (size_t b = 0; b < h->settings.bins; b++) {
         double width = h->edges[b + 1] - h->edges[b];
         centre[b] = (h->edges[b] + h->edges[b + 1]) / 2;
         density[b] = (double)h->counts[b] / ((double)h->count * width);
-        double z = (centre[b] - h->mean.value) / deviation;
-        normal[b] = deviation > 0 ? exp(-z * z / 2) / (deviation * sqrt(2 * M_PI)) : NAN;
+        deviations[b] = deviation > 0 ? (centre[b] - h->mean.value) / deviation : NAN;
+        standard[b] = deviation > 0 ? density[b] * deviation : NAN;
+        normal[b] = exp(-deviations[b] * deviations[b] / 2) / sqrt(2 * M_PI);
+        *highest = fmax(*highest, standard[b]);
     }
     const bl_column columns[] = {{"value", centre, NULL},
                                  {"density_per_unit_of_value", density, NULL},
-                                 {"normal_density_per_unit_of_value", normal, NULL}};
+                                 {"deviations", deviations, NULL},
+                                 {"density_per_deviation", standard, NULL},
+                                 {"normal_density_per_deviation", normal, NULL}};
     return bl_run_csv(
         run, bl_run_text(run, "histogram-%s", gallery->key[index]),
         bl_run_text(run, "distribution of the values of %s", gallery->signal[index]->text), columns,
-        3, h->settings.bins, message);
+        5, h->settings.bins, message);
 }
 
 // The numbers of each histogram, a row a signal.
@@ -78,7 +84,7 @@ static bl_status write_table(bl_run *run, const bl_gallery *gallery, const doubl
 }
 
 static bl_status plot_histograms(bl_run *run, const bl_gallery *gallery, const char *title,
-                                 const char *alternative, bl_message *message) {
+                                 const char *alternative, double highest, bl_message *message) {
     bl_series *series = calloc(2 * gallery->count, sizeof *series);
     bl_panel *panels = calloc(gallery->count, sizeof *panels);
     bl_status status = series && panels ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
@@ -87,23 +93,26 @@ static bl_status plot_histograms(bl_run *run, const bl_gallery *gallery, const c
         series[2 * i] = (bl_series){BL_STROKE_DASHED,
                                     BL_INK_THEORY,
                                     file,
-                                    "value",
-                                    "normal_density_per_unit_of_value",
+                                    "deviations",
+                                    "normal_density_per_deviation",
                                     NULL,
-                                    "normal, same mean and variance",
+                                    "normal",
                                     0};
-        series[2 * i + 1] =
-            (bl_series){BL_STROKE_LINE, BL_INK_MEASURED, file, "value", "density_per_unit_of_value",
-                        NULL,           "measured",      0};
+        series[2 * i + 1] = (bl_series){
+            BL_STROKE_LINE, BL_INK_MEASURED, file, "deviations", "density_per_deviation",
+            NULL,           "measured",      0};
         panels[i] = (bl_panel){gallery->label[i], series + 2 * i, 2, NULL};
     }
-    const bl_plot plot = {.title = title,
-                          .x = {.label = "value"},
-                          .y = {.label = "probability density, per unit of value"},
-                          .panels = panels,
-                          .panel_count = gallery->count,
-                          .columns = bl_gallery_columns(gallery->count),
-                          .aspect = 0.7};
+    const bl_plot plot = {
+        .title = title,
+        .x = {.label = "value less the mean, standard deviations", .from = -4, .to = 4, .tick = 2},
+        .y = {.label = "probability density, per standard deviation",
+              .to = fmax(0.5, 1.05 * highest),
+              .tick = highest < 1 ? 0.2 : 0},
+        .panels = panels,
+        .panel_count = gallery->count,
+        .columns = bl_gallery_columns(gallery->count),
+        .aspect = 0.7};
     if (status == BL_OK)
         status = bl_run_plot(run, "histograms", &plot, alternative, message);
     free(series);
@@ -121,7 +130,7 @@ bl_status bl_gallery_draw_histograms(bl_run *run, const bl_gallery *gallery, siz
     settings.threads = bl_run_settings(run)->threads;
     bl_run_setting(run, "samples of the histograms",
                    bl_run_text(run, "%zu places, %d bins", samples, BINS));
-    double *table = malloc(NUMBERS * gallery->count * sizeof *table);
+    double highest = 0, *table = malloc(NUMBERS * gallery->count * sizeof *table);
     bl_status status = table ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
     for (size_t i = 0; i < gallery->count && status == BL_OK; i++) {
         bl_histogram histogram;
@@ -130,11 +139,12 @@ bl_status bl_gallery_draw_histograms(bl_run *run, const bl_gallery *gallery, siz
         if (status != BL_OK)
             break;
         fill_numbers(gallery->signal[i], &histogram, table, gallery->count, i);
-        status = write_histogram(run, gallery, i, &histogram, message);
+        status = write_histogram(run, gallery, i, &histogram, &highest, message);
         bl_histogram_free(&histogram);
     }
     if (status == BL_OK)
         status = write_table(run, gallery, table, message);
     free(table);
-    return status == BL_OK ? plot_histograms(run, gallery, title, alternative, message) : status;
+    return status == BL_OK ? plot_histograms(run, gallery, title, alternative, highest, message)
+                           : status;
 }

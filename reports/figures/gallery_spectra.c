@@ -137,7 +137,8 @@ static bl_status draw(bl_run *run, const bl_gallery *gallery, const bl_gallery_s
         size_t lines = fill_panel(run, gallery, i, &spectra->psd[i], wanted, what, series + 3 * i);
         panels[count++] = (bl_panel){gallery->label[i], series + 3 * i, lines, NULL};
     }
-    const bl_limit band_end = {1, 1, "band limit 1"};
+    const bl_limit band_end = {1, wanted->limit > 0 ? wanted->limit : 1,
+                               wanted->limit > 0 ? wanted->limit_label : "band limit 1"};
     const bl_plot plot = {.title = wanted->title,
                           .x = {.label = wanted->x_label,
                                 .from = wanted->lowest,
@@ -152,7 +153,7 @@ static bl_status draw(bl_run *run, const bl_gallery *gallery, const bl_gallery_s
                           .columns = bl_gallery_columns(count),
                           .aspect = 0.8,
                           .limits = &band_end,
-                          .limit_count = wanted->highest > 1};
+                          .limit_count = wanted->highest > band_end.at};
     if (status == BL_OK && count)
         status = bl_run_plot(
             run, bl_run_text(run, "%s-%s", what == POWER ? "spectra" : "anisotropy", wanted->name),

@@ -37,6 +37,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .origin = {0, 0, 0.381966, 0},
         .length = 8,
         .pixels = 256,
+        .deviations = 2.5,
         .unit = "lattice cells"};
     bl_gallery gallery;
     bl_estimate one, sum;
@@ -71,5 +72,5 @@ BL_FIGURE_DESCRIPTOR(hart2001_1) = {
     .paper = "hart2001, fig. 1",
     .shows =
         "A slice of the noise of the Rayshade ray tracer, and of five octaves of it whose "
-        "amplitudes fall as 1/f, on one scale of grey.",
+        "amplitudes fall as 1/f, each from 2.5 standard deviations below its mean to 2.5 above.",
     .run = run_figure};

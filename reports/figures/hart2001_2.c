@@ -80,6 +80,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .origin = {0, 0, 0.381966, 0},
         .length = 16,
         .pixels = 256,
+        .deviations = 2.5,
         .unit = "lattice cells"};
     bl_gallery gallery;
     bl_estimate result[3][BANDS];

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/random.h"
+#include "noises/octaves.h"
 #include "reports/figures/all_noises.h"
 #include "reports/figures/estimates.h"
 
@@ -109,6 +110,56 @@ static void claim_edges(bl_run *run, const bl_gallery *gallery) {
                   "all noises, all axes", "", 0, 0, bl_exactly(zeros, places), "places");
 }
 
+// --- clamped sums -------------------------------------------------------------------------------
+
+enum { SUM_PLACES = 64 };
+
+// How far a sum clamped to `width` is from the sum that is not, or with `gone` from one number,
+// over places: NaN if any value is.
+static double width_error(const bl_signal *sum, double width, int gone) {
+    bl_random random = bl_random_seed(9, 0);
+    double worst = 0, first = NAN;
+    for (int i = 0; i < SUM_PLACES; i++) {
+        double at[BL_AXES];
+        for (int a = 0; a < BL_AXES; a++)
+            at[a] = 1e3 * (bl_random_unit(&random) - 0.5);
+        double value = bl_octaves_value_for_width(sum, at, width);
+        first = i ? first : value;
+        double error = fabs(value - (gone ? first : bl_signal_value(sum, at)));
+        worst = error <= worst ? worst : error;
+    }
+    return worst;
+}
+
+static void claim_widths(bl_run *run, const bl_gallery *gallery) {
+    static const double none[] = {0, 1e-30, 5e-324}, all[] = {1e30, INFINITY}, bad[] = {NAN, -1};
+    double kept = 0, lost = 0, numbers = 0, sums = 0;
+    for (size_t i = 0; i < gallery->count; i++) {
+        const bl_signal *sum = gallery->signal[i];
+        if (!bl_octaves_is_sum(sum))
+            continue;
+        sums++;
+        for (size_t w = 0; w < sizeof none / sizeof *none; w++)
+            kept += !(width_error(sum, none[w], 0) == 0);
+        for (size_t w = 0; w < sizeof all / sizeof *all; w++)
+            lost += !(width_error(sum, all[w], 1) == 0);
+        for (size_t w = 0; w < sizeof bad / sizeof *bad; w++)
+            numbers += !isnan(width_error(sum, bad[w], 1));
+    }
+    bl_make_claim(run, "bandlimit",
+                  "A sum clamped to a width of 0, 1e-30 or the least denormal is the whole sum: "
+                  "how often it is not.",
+                  "all sums of octaves", "", 0, 0, bl_exactly(kept, 3 * sums), "widths");
+    bl_make_claim(run, "bandlimit",
+                  "A sum clamped to a width of 1e30 or infinity is one number, the mean of its "
+                  "octaves: how often it is not.",
+                  "all sums of octaves", "", 0, 0, bl_exactly(lost, 2 * sums), "widths");
+    bl_make_claim(run, "bandlimit",
+                  "A width that is NaN or negative gives NaN: how often it does "
+                  "not.",
+                  "all sums of octaves", "", 0, 0, bl_exactly(numbers, 2 * sums), "widths");
+}
+
 // --- the figure ---------------------------------------------------------------------------------
 
 static bl_status draw(bl_run *run, const bl_gallery *gallery, bl_message *message) {
@@ -195,8 +246,10 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
     status = measure(run, &gallery, message);
     if (status == BL_OK)
         status = draw(run, &gallery, message);
-    if (status == BL_OK)
+    if (status == BL_OK) {
         claim_edges(run, &gallery);
+        claim_widths(run, &gallery);
+    }
     bl_gallery_close(&gallery);
     return status;
 }

@@ -44,8 +44,8 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
     status = bl_gallery_draw_histograms(
         run, &gallery, (size_t)bl_run_pick(run, 1 << 16, 1 << 20, 1 << 24),
         "How are the values of all the noises distributed?",
-        "The density of the values of every noise over the normal density of the same mean and "
-        "variance.",
+        "The density of the values of every noise, in standard deviations from its mean, over the "
+        "normal density.",
         message);
     if (status == BL_OK)
         status = claim_middle(run, &gallery, message);
@@ -60,6 +60,6 @@ BL_FIGURE_DESCRIPTOR(noise_histograms) = {
     .paper = "peachey2003, the paragraph before Spectral Synthesis",
     .shows =
         "The density of the values of every noise over random places and seeds, and the "
-        "normal density of the same mean and variance, dashed. histograms.csv holds moments, "
+        "normal density, dashed. histograms.csv holds moments, "
         "observed ranges and proven bounds.",
     .run = run_figure};

@@ -117,16 +117,16 @@ static bl_status claim_slopes(bl_run *run, bl_message *message) {
 
 enum { PLAIN, HARD, FADED, WAYS };
 static const char *const way_words[WAYS] = {"not clamped", "hard cutoff", "faded"};
-static const char *const way_settings[WAYS] = {"", ",clamp=hard,width=1/12",
-                                               ",clamp=fade,width=1/12"};
-enum { NYQUIST = 6 }; // of samples 1/12 apart
+static const char *const way_settings[WAYS] = {"", ",clamp=hard,width=0.08",
+                                               ",clamp=fade,width=0.08"};
+#define NYQUIST 6.25 // of samples 0.08 apart
 
 static bl_status claim_clamping(bl_run *run, bl_message *message) {
     static const char *const names[] = {"fractalsum", "turbulence"};
     const bl_reproduce_settings *settings = bl_run_settings(run);
     bl_psd_settings line = line_settings(run, bl_run_pick(run, 64, 512, 8192));
     bl_run_setting(run, "clamping",
-                   "to samples 1/12 apart, whose Nyquist frequency is 6 cycles per unit");
+                   "to samples 0.08 apart, whose Nyquist frequency is 6.25 cycles per unit");
     for (int n = 0; n < 2; n++) {
         bl_estimate share[WAYS], mean[WAYS];
         for (int w = 0; w < WAYS; w++) {
@@ -183,15 +183,19 @@ static bl_status draw(bl_run *run, const bl_gallery *gallery, bl_message *messag
         .name = "line",
         .title = "How fast does the power of the two sums decline?",
         .alternative =
-            "Power spectra along a line on logarithmic frequency: straight declines "
-            "from the lowest octave to the highest, then a fall. Turbulence keeps power "
-            "above its highest octave, because its creases have no band limit.",
+            "Power spectra along a line on logarithmic frequency: straight declines from "
+            "the lowest octave to the highest, then a fall. Turbulence falls no faster "
+            "above its highest octave, because its creases have no band limit, and has "
+            "lines at the lattice frequencies of its octaves, because the mean size of "
+            "gradient noise depends on the place in the cell.",
         .lowest = 0.25,
         .highest = RATE / 2,
         .lowest_db = -120,
         .highest_db = 10,
         .tick_db = 20,
         .logarithmic = 1,
+        .limit = NYQUIST,
+        .limit_label = "Nyquist of width 0.08",
         .x_label = "frequency, cycles per unit"};
     if (status == BL_OK)
         status = bl_gallery_draw_spectra(run, gallery, &spectra, &plot, message);
@@ -202,15 +206,23 @@ static bl_status draw(bl_run *run, const bl_gallery *gallery, bl_message *messag
 static bl_status run_figure(bl_run *run, bl_message *message) {
     static const char *const texts[] = {"fractalsum:min=1,max=64",
                                         "turbulence:min=1,max=64",
-                                        "fractalsum:min=1,max=64,clamp=hard,width=1/12",
-                                        "turbulence:min=1,max=64,clamp=hard,width=1/12",
-                                        "fractalsum:min=1,max=64,clamp=fade,width=1/12",
-                                        "turbulence:min=1,max=64,clamp=fade,width=1/12"};
+                                        "fractalsum:max=64,clamp=hard,width=0.08",
+                                        "turbulence:max=64,clamp=hard,width=0.08",
+                                        "fractalsum:max=64,clamp=fade,width=0.08",
+                                        "turbulence:max=64,clamp=fade,width=0.08"};
+    static const char *const labels[] = {"fractalsum",
+                                         "turbulence",
+                                         "fractalsum, hard cutoff",
+                                         "turbulence, hard cutoff",
+                                         "fractalsum, faded",
+                                         "turbulence, faded"};
     bl_gallery gallery;
     bl_status status = bl_gallery_open(run, texts, 6, &gallery, message);
     if (status != BL_OK)
         return status;
-    status = draw(run, &gallery, message);
+    bl_gallery labelled = gallery;
+    labelled.label = labels;
+    status = draw(run, &labelled, message);
     bl_gallery_close(&gallery);
     if (status == BL_OK)
         status = claim_slopes(run, message);
@@ -235,5 +247,5 @@ BL_FIGURE_DESCRIPTOR(peachey_2_39) = {
     .terms = terms,
     .shows =
         "The power along a line at a random place, on logarithmic axes, of the two sums as the "
-        "text draws them, and clamped to samples 1/12 apart, whose Nyquist frequency is 6.",
+        "text draws them, and clamped to samples 0.08 apart, whose Nyquist frequency is 6.25.",
     .run = run_figure};
