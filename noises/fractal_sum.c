@@ -48,22 +48,7 @@ static bl_status build(void *block, bl_message *message) {
 }
 
 static const bl_parameter parameters[] = {BL_OCTAVES_PARAMETERS(fractal_parameters, sum),
-                                          {.key = "min",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(fractal_parameters, least),
-                                           .minimum = 1.0 / 256,
-                                           .maximum = 4096,
-                                           .fallback = "1",
-                                           .unit = "cells a unit",
-                                           .help = "the frequency of the first octave"},
-                                          {.key = "max",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(fractal_parameters, most),
-                                           .minimum = 1.0 / 256,
-                                           .maximum = 4096,
-                                           .fallback = "16",
-                                           .unit = "cells a unit",
-                                           .help = "octaves have frequencies below it"},
+                                          BL_OCTAVES_SPAN_PARAMETERS(fractal_parameters),
                                           {.key = NULL}};
 
 BL_NOISE_DESCRIPTOR(fractal_sum) = {
@@ -79,12 +64,6 @@ BL_NOISE_DESCRIPTOR(fractal_sum) = {
     .seed_offset = offsetof(fractal_parameters, sum.seed),
     .describe = bl_octaves_describe,
     .has_closed_form = bl_octaves_has_closed_form,
-    .functions = {.row = bl_octaves_row,
-                  .points = bl_octaves_points,
-                  .value = bl_octaves_value,
-                  .gradient = bl_octaves_gradient,
-                  .covariance = bl_octaves_covariance,
-                  .density = bl_octaves_density,
-                  .build = build,
-                  .release = bl_octaves_release},
+    .functions = {BL_OCTAVES_FUNCTIONS, .covariance = bl_octaves_covariance,
+                  .density = bl_octaves_density, .build = build},
 };

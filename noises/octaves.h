@@ -184,4 +184,41 @@ extern const char *const bl_octave_basis_examples[];
         .help = "how octaves beyond the Nyquist limit of the width are removed"                    \
     }
 
+// double least, most: the octaves f = min, 2 min, ... below max; two entries of a list.
+#define BL_OCTAVES_SPAN_PARAMETERS(block)                                                          \
+    {.key = "min",                                                                                 \
+     .kind = BL_REAL,                                                                              \
+     .offset = offsetof(block, least),                                                             \
+     .minimum = 1.0 / 256,                                                                         \
+     .maximum = 4096,                                                                              \
+     .fallback = "1",                                                                              \
+     .unit = "cells a unit",                                                                       \
+     .help = "the frequency of the first octave"},                                                 \
+    {                                                                                              \
+        .key = "max", .kind = BL_REAL, .offset = offsetof(block, most), .minimum = 1.0 / 256,      \
+        .maximum = 4096, .fallback = "16", .unit = "cells a unit",                                 \
+        .help = "octaves have frequencies below it"                                                \
+    }
+
+// uint32_t octaves, double lacunarity; `more` are further values of it to try.
+#define BL_OCTAVES_COUNT_PARAMETERS(block, more)                                                   \
+    {.key = "octaves",                                                                             \
+     .kind = BL_INTEGER,                                                                           \
+     .offset = offsetof(block, octaves),                                                           \
+     .minimum = 1,                                                                                 \
+     .maximum = 12,                                                                                \
+     .fallback = "4",                                                                              \
+     .unit = "",                                                                                   \
+     .help = "how many"},                                                                          \
+    {                                                                                              \
+        .key = "lacunarity", .kind = BL_REAL, .offset = offsetof(block, lacunarity), .minimum = 1, \
+        .maximum = 8, .fallback = "2", .unit = "",                                                 \
+        .help = "the ratio of the frequencies of neighbouring octaves", .examples = more           \
+    }
+
+// The functions of a sum whose octaves add up as they are, but for those of its own.
+#define BL_OCTAVES_FUNCTIONS                                                                       \
+    .row = bl_octaves_row, .points = bl_octaves_points, .value = bl_octaves_value,                 \
+    .gradient = bl_octaves_gradient, .release = bl_octaves_release
+
 #endif
