@@ -92,4 +92,16 @@ bl_bound bl_bound_sparse_convolution(unsigned table); // any number of impulses 
 void bl_lattice_describe(bl_bound bound, int continuity, const bl_lattice_settings *lattice,
                          bl_facts *facts);
 
+// In a noise file, after its `static bl_terms terms_of(const void *block)`: the functions
+// `covariance` and `density` of the noise that those terms make.
+#define BL_CLOSED_FORM_OF_TERMS                                                                    \
+    static double covariance(const void *block, const double lag[BL_AXES]) {                       \
+        bl_terms terms = terms_of(block);                                                          \
+        return bl_terms_covariance(&terms, lag);                                                   \
+    }                                                                                              \
+    static double density(const void *block, const double frequency[BL_AXES]) {                    \
+        bl_terms terms = terms_of(block);                                                          \
+        return bl_terms_density(&terms, frequency);                                                \
+    }
+
 #endif

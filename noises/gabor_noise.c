@@ -357,10 +357,5 @@ BL_NOISE_DESCRIPTOR(gabor_noise) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
-    .functions = {.row = row,
-                  .points = points,
-                  .value = value,
-                  .gradient = gradient,
-                  .covariance = covariance,
-                  .density = density},
+    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

@@ -249,7 +249,8 @@ static void gradient(const void *block, const double at[BL_AXES], double out[BL_
     reference(block, at, out);
 }
 
-static bl_terms terms_of(void) {
+static bl_terms terms_of(const void *block) {
+    (void)block;
     bl_terms terms = {0};
     double variance = BL_VALUE_VARIANCE(BL_LATTICE_VALUES);
     bl_terms_add_value(&terms, variance, BL_KERNEL_SMOOTH);
@@ -257,17 +258,7 @@ static bl_terms terms_of(void) {
     return terms;
 }
 
-static double covariance(const void *block, const double lag[BL_AXES]) {
-    (void)block;
-    bl_terms terms = terms_of();
-    return bl_terms_covariance(&terms, lag);
-}
-
-static double density(const void *block, const double frequency[BL_AXES]) {
-    (void)block;
-    bl_terms terms = terms_of();
-    return bl_terms_density(&terms, frequency);
-}
+BL_CLOSED_FORM_OF_TERMS
 
 static int has_closed_form(const void *block) {
     const hermite_parameters *p = block;
@@ -276,7 +267,7 @@ static int has_closed_form(const void *block) {
 
 static void describe(const void *block, bl_facts *facts) {
     const hermite_parameters *p = block;
-    bl_terms terms = terms_of();
+    bl_terms terms = terms_of(block);
     bl_bound bound = bl_bound_hermite();
     bl_terms_describe(&terms, has_closed_form(block), facts);
     bl_lattice_describe(bound, 1, &p->lattice, facts);
@@ -297,10 +288,5 @@ BL_NOISE_DESCRIPTOR(hermite_noise) = {
     .seed_offset = offsetof(hermite_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
-    .functions = {.row = row,
-                  .points = points,
-                  .value = value,
-                  .gradient = gradient,
-                  .covariance = covariance,
-                  .density = density},
+    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

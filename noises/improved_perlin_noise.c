@@ -73,7 +73,8 @@ static void gradient(const void *block, const double at[BL_AXES], double out[BL_
 // E[g_a^2] of the 16 entries; the mixed moments are 0, so one term an axis.
 static const double second_moment[3] = {5.0 / 8, 3.0 / 4, 5.0 / 8};
 
-static bl_terms terms_of(void) {
+static bl_terms terms_of(const void *block) {
+    (void)block;
     bl_terms terms = {0};
     bl_terms_add_gradient(&terms, 1, BL_KERNEL_RAMP_QUINTIC, BL_KERNEL_QUINTIC);
     for (int axis = 0; axis < 3; axis++)
@@ -81,17 +82,7 @@ static bl_terms terms_of(void) {
     return terms;
 }
 
-static double covariance(const void *block, const double lag[BL_AXES]) {
-    (void)block;
-    bl_terms terms = terms_of();
-    return bl_terms_covariance(&terms, lag);
-}
-
-static double density(const void *block, const double frequency[BL_AXES]) {
-    (void)block;
-    bl_terms terms = terms_of();
-    return bl_terms_density(&terms, frequency);
-}
+BL_CLOSED_FORM_OF_TERMS
 
 static int has_closed_form(const void *block) {
     const improved_parameters *p = block;
@@ -100,7 +91,7 @@ static int has_closed_form(const void *block) {
 
 static void describe(const void *block, bl_facts *facts) {
     const improved_parameters *p = block;
-    bl_terms terms = terms_of();
+    bl_terms terms = terms_of(block);
     bl_terms_describe(&terms, has_closed_form(block), facts);
     bl_lattice_describe(bl_bound_gradient(BL_KERNEL_QUINTIC, 1), 2, &p->lattice, facts);
 }
@@ -151,10 +142,5 @@ BL_NOISE_DESCRIPTOR(improved_perlin_noise) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
-    .functions = {.row = row,
-                  .points = points,
-                  .value = value,
-                  .gradient = gradient,
-                  .covariance = covariance,
-                  .density = density},
+    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

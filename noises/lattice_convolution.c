@@ -299,7 +299,8 @@ static float textbook(float x, float y, float z) {
 
 // --- what it states -----------------------------------------------------------------------------
 
-static bl_terms terms_of(void) {
+static bl_terms terms_of(const void *block) {
+    (void)block;
     bl_terms terms = {.count = 0};
     bl_terms_add_radial(&terms, BL_VALUE_VARIANCE(1 << 20));
     return terms;
@@ -310,21 +311,11 @@ static int has_closed_form(const void *block) {
     return bl_lattice_is_hash(&p->lattice) && p->kernel == KERNEL_EXACT;
 }
 
-static double covariance(const void *block, const double lag[BL_AXES]) {
-    (void)block;
-    bl_terms terms = terms_of();
-    return bl_terms_covariance(&terms, lag);
-}
-
-static double density(const void *block, const double frequency[BL_AXES]) {
-    (void)block;
-    bl_terms terms = terms_of();
-    return bl_terms_density(&terms, frequency);
-}
+BL_CLOSED_FORM_OF_TERMS
 
 static void describe(const void *block, bl_facts *facts) {
     const convolution_parameters *p = block;
-    bl_terms terms = terms_of();
+    bl_terms terms = terms_of(block);
     bl_terms_describe(&terms, has_closed_form(block), facts);
     bl_bound bound = bl_bound_lattice_convolution(p->kernel == KERNEL_EXACT ? 0 : p->table_rate);
     bl_lattice_describe(bound, p->kernel == KERNEL_EXACT ? 1 : -1, &p->lattice, facts);
@@ -343,10 +334,5 @@ BL_NOISE_DESCRIPTOR(lattice_convolution) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
-    .functions = {.row = row,
-                  .points = points,
-                  .value = value,
-                  .gradient = gradient,
-                  .covariance = covariance,
-                  .density = density},
+    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

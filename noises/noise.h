@@ -58,6 +58,10 @@ const bl_noise *bl_noise_find(const char *name, bl_isa isa);
 // alone. Errors: BL_USAGE for an unknown name, key or value, BL_DEVICE out of memory. Thread-safe.
 bl_status bl_noise_open(const char *text, bl_isa isa, bl_signal **signal, bl_message *message);
 
+// In a noise file: the functions that nearly every noise has, under their own names.
+#define BL_NOISE_FUNCTIONS .row = row, .points = points, .value = value
+#define BL_NOISE_CLOSED_FORM .covariance = covariance, .density = density
+
 // In a noise file: the instruction set it is being compiled for, as a bl_isa.
 #define BL_ISA_INDEX_baseline BL_ISA_BASELINE
 #define BL_ISA_INDEX_v3 BL_ISA_V3

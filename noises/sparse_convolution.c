@@ -343,10 +343,5 @@ BL_NOISE_DESCRIPTOR(sparse_convolution) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
-    .functions = {.row = row,
-                  .points = points,
-                  .value = value,
-                  .gradient = gradient,
-                  .covariance = covariance,
-                  .density = density},
+    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

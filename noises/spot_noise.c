@@ -326,10 +326,5 @@ BL_NOISE_DESCRIPTOR(spot_noise) = {
     .dimensions_of = dimensions_of,
     .describe = describe,
     .has_closed_form = has_closed_form,
-    .functions = {.row = row,
-                  .points = points,
-                  .value = value,
-                  .gradient = gradient,
-                  .covariance = covariance,
-                  .density = density},
+    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

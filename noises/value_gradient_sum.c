@@ -119,15 +119,7 @@ static bl_terms terms_of(const void *block) {
     return terms;
 }
 
-static double covariance(const void *block, const double lag[BL_AXES]) {
-    bl_terms terms = terms_of(block);
-    return bl_terms_covariance(&terms, lag);
-}
-
-static double density(const void *block, const double frequency[BL_AXES]) {
-    bl_terms terms = terms_of(block);
-    return bl_terms_density(&terms, frequency);
-}
+BL_CLOSED_FORM_OF_TERMS
 
 static int has_closed_form(const void *block) {
     const sum_parameters *p = block;
@@ -206,10 +198,5 @@ BL_NOISE_DESCRIPTOR(value_gradient_sum) = {
     .seed_offset = offsetof(sum_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
-    .functions = {.row = row,
-                  .points = points,
-                  .value = value,
-                  .gradient = gradient,
-                  .covariance = covariance,
-                  .density = density},
+    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

@@ -87,15 +87,7 @@ static bl_terms terms_of(const void *block) {
     return terms;
 }
 
-static double covariance(const void *block, const double lag[BL_AXES]) {
-    bl_terms terms = terms_of(block);
-    return bl_terms_covariance(&terms, lag);
-}
-
-static double density(const void *block, const double frequency[BL_AXES]) {
-    bl_terms terms = terms_of(block);
-    return bl_terms_density(&terms, frequency);
-}
+BL_CLOSED_FORM_OF_TERMS
 
 static int has_closed_form(const void *block) {
     const value_parameters *p = block;
@@ -175,10 +167,5 @@ BL_NOISE_DESCRIPTOR(value_noise) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
-    .functions = {.row = row,
-                  .points = points,
-                  .value = value,
-                  .gradient = gradient,
-                  .covariance = covariance,
-                  .density = density},
+    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

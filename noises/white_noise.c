@@ -205,9 +205,5 @@ BL_NOISE_DESCRIPTOR(white_noise) = {
     .validate = validate,
     .describe = describe,
     .has_closed_form = has_closed_form,
-    .functions = {.row = row,
-                  .points = points,
-                  .value = value,
-                  .covariance = covariance,
-                  .density = density},
+    .functions = {BL_NOISE_FUNCTIONS, BL_NOISE_CLOSED_FORM},
 };

@@ -297,11 +297,5 @@ BL_NOISE_DESCRIPTOR(wiener_noise) = {
     .seed_offset = offsetof(wiener_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
-    .functions = {.row = row,
-                  .points = points,
-                  .value = value,
-                  .gradient = gradient,
-                  .covariance = covariance,
-                  .density = density,
-                  .build = build},
+    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM, .build = build},
 };
