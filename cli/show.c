@@ -139,7 +139,7 @@ static void print_facts(FILE *out, const bl_signal *signal) {
         fprintf(out, "  %-12s no claim: there is no variance\n", "band");
     else
         fprintf(out, "  %-12s no claim\n", "band");
-    int stated = facts->continuity >= 0 || bl_noise_find(signal->name, BL_ISA_BASELINE);
+    int stated = facts->continuity >= -1;
     fprintf(out, "  %-12s %s\n", "continuity",
             stated ? continuity_word(facts->continuity) : "not stated");
     print_period(out, facts->period, signal->dimensions);

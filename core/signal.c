@@ -13,7 +13,7 @@ bl_facts bl_facts_unknown(void) {
                       .band_from = NAN,
                       .band_to = NAN,
                       .leak_db = NAN,
-                      .continuity = -1,
+                      .continuity = -2,
                       .period = {NAN, NAN, NAN, NAN},
                       .cell = NAN,
                       .far = NAN,

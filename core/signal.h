@@ -61,7 +61,7 @@ typedef struct bl_facts {
     double mean, variance;     // over places and seeds
     double band_from, band_to; // the claimed band, cycles per unit, of a spectrum along an axis ...
     double leak_db;            // ... and the share of variance outside of it, dB of the variance
-    int continuity;            // -1 discontinuous, 0 for C0, 1 for C1, ...
+    int continuity;            // -2 not stated, -1 discontinuous, 0 for C0, 1 for C1, ...
     double period[BL_AXES];    // the smallest period along each axis; 0: none
     double cell;               // the distance of the planes of its lattice; 0: it has none
     double far;                // the coordinate beyond which the fraction within a cell is lost
@@ -89,7 +89,7 @@ struct bl_signal {
     bl_extent extent;
 };
 
-// Facts with nothing stated: every number NAN, continuity -1, no proof.
+// Facts with nothing stated: every number NAN, continuity -2, no proof.
 bl_facts bl_facts_unknown(void);
 
 // Makes a signal around a copy of the parameter block and of the text; NULL if out of memory.

@@ -238,8 +238,8 @@ static const char *find_fault(const struct bandlimit_claims *c) {
             return "a period must be finite and not negative";
     if (c->cell < 0 || isinf(c->cell))
         return "the cell must be finite and not negative";
-    if (c->continuity < -1)
-        return "continuity is below -1, discontinuous";
+    if (c->continuity < -2)
+        return "continuity is below -1, discontinuous, and -2, not stated";
     if (c->flags & ~(uint32_t)BANDLIMIT_NOT_THREAD_SAFE)
         return "flags has bits that this version does not know";
     return NULL;
@@ -264,7 +264,7 @@ static bl_status read_claims(const plugin_source *plugin, bandlimit_claim *claim
                                             .leak_db = NAN,
                                             .period = {NAN, NAN, NAN, NAN},
                                             .cell = NAN,
-                                            .continuity = -1};
+                                            .continuity = -2};
     if (claim)
         claim(&room.claims);
     *claims = room.claims;

@@ -232,7 +232,7 @@ static void judge(const bl_signal *signal, const summary *s, const bl_score_look
     static const char *const what[ORDERS] = {"the value", "the first derivative",
                                              "the second derivative"};
     const bl_facts *facts = &signal->facts;
-    int is_stated = facts->bound_proof != NULL || facts->continuity >= 0;
+    int is_stated = facts->continuity >= -1;
     bl_score_against against = is_stated ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL;
     int wanted = is_stated ? facts->continuity : 0, found_class = -1;
     while (found_class + 1 < ORDERS && s->largest[found_class + 1].size == 0)

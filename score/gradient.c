@@ -104,7 +104,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "the signal has no gradient");
         return BL_OK;
     }
-    if (signal->facts.bound_proof && signal->facts.continuity < 0) {
+    if (signal->facts.continuity == -1) {
         bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
                        "the signal states that it is discontinuous");
         return BL_OK;
