@@ -102,10 +102,11 @@ static void print_program(FILE *out) {
         print_option(out, option, option->help);
     fputs(
         "\n"
-        "A SIGNAL is a noise and its settings, as gnoise:seed=7, or an image file, as\n"
-        "grain.exr:spacing=0.0625; `bandlimit list` shows what there is and `bandlimit\n"
-        "show NAME` what a noise is and takes. Coordinates are in lattice cells,\n"
-        "frequencies in cycles per cell.\n\n"
+        "A SIGNAL is a noise and its settings, as gnoise:seed=7; an image or volume, as\n"
+        "grain.exr:spacing=0.0625; or your own noise, a function as ./mine.so:noise or a\n"
+        "program as 'cmd:./noise.py {seed}'. `bandlimit list` shows what there is and\n"
+        "`bandlimit show NAME` what a noise is and takes. Coordinates are in lattice\n"
+        "cells, frequencies in cycles per cell.\n\n"
         "Exit status: 0 pass, 1 inconclusive, 2 fail, 3 inputs that do not fit together,\n"
         "4 file or device error, 64 bad usage.\n\n"
         "`bandlimit VERB --help` tells all about a verb.\n",

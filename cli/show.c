@@ -162,13 +162,14 @@ static bl_status show_noise(bl_call *call, const bl_noise *noise, const char *te
         bl_json_set_text(object, "summary", noise->summary);
         bl_json_set_text(object, "formula", noise->formula);
         bl_json_set_text(object, "paper", noise->paper);
-        bl_json_set_count(object, "dimensions", noise->dimensions);
+        bl_json_set_count(object, "dimensions", signal->dimensions);
         json_object_set_new(object, "parameters", parameters_json(noise->parameters));
         facts_json(object, signal);
     } else {
         fprintf(call->out, "%s: %s\n\n%s\n\nformula\n  %s\n", noise->name, noise->title,
                 noise->summary, noise->formula);
-        fprintf(call->out, "\nsource       %s\ndimensions   %u\n", noise->paper, noise->dimensions);
+        fprintf(call->out, "\nsource       %s\ndimensions   %u\n", noise->paper,
+                signal->dimensions);
         print_parameters(call->out, noise->parameters);
         print_facts(call->out, signal);
     }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Completion of bandlimit for bash. Names of noises and figures come from the program itself; the
-# test t-cli compares the lists of verbs and options with it.
+# test t-cli-help compares the lists of verbs and options with it.
 
 _bandlimit_names() {
     "${COMP_WORDS[0]}" list "$1" --names 2>/dev/null

@@ -125,6 +125,16 @@ static void test_every_noise_can_be_shown_and_evaluated(void **state) {
     }
 }
 
+static void test_show_tells_the_dimensions_of_the_settings(void **state) {
+    (void)state;
+    json_t *object = RUN_JSON(0, "show", "gnoise:dims=4");
+    assert_int_equal(json_integer_value(json_object_get(object, "dimensions")), 4);
+    json_decref(object);
+    object = RUN_JSON(0, "show", "gnoise");
+    assert_int_equal(json_integer_value(json_object_get(object, "dimensions")), 3);
+    json_decref(object);
+}
+
 static void test_points_from_words_and_from_lines_are_the_same(void **state) {
     (void)state;
     const bl_streams streams = {.input = "# a comment\n0.3 1.5 -2\n\n 0.3, 1.5, -2 # again\n1/4"};
@@ -329,6 +339,7 @@ int main(void) {
         cmocka_unit_test(test_arguments_that_are_not_text_do_not_break_json),
         cmocka_unit_test(test_list_has_the_whole_registry),
         cmocka_unit_test(test_every_noise_can_be_shown_and_evaluated),
+        cmocka_unit_test(test_show_tells_the_dimensions_of_the_settings),
         cmocka_unit_test(test_points_from_words_and_from_lines_are_the_same),
         cmocka_unit_test(test_eval_of_nothing_is_nothing),
         cmocka_unit_test(test_seed_replaces_the_seed_of_the_signal),

@@ -93,6 +93,21 @@ static void test_its_numbers_are_those_of_the_other_verbs(void **state) {
     assert_true(lower <= minimum && minimum < -0.5);
 }
 
+static void test_a_program_gets_the_seed_where_its_words_have_it(void **state) {
+    (void)state;
+    char folder[300], text[400];
+    const char *build = getenv("BL_BUILD");
+    snprintf(folder, sizeof folder, "%s", bl_test_path("program"));
+    snprintf(text, sizeof text, "cmd:%s/tests/plugins/child saw {seed}", build ? build : "build");
+    json_decref(RUN_JSON("compare", text, "--quick", "--seed", "4", "-o", folder, "--json"));
+    snprintf(folder, sizeof folder, "%s", bl_test_path("program/compare-line/graphs.csv"));
+    char *graphs = bl_test_read(folder);
+    assert_non_null(graphs);
+    assert_non_null(strstr(graphs, "cmd,seed=4:")); // the setting
+    assert_null(strstr(graphs, "seed=4,"));         // of which the words know nothing
+    free(graphs);
+}
+
 static void test_bad_words_leave_nothing(void **state) {
     (void)state;
     const char *folder = bl_test_path("none");
@@ -113,6 +128,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_all_figures_are_made_for_noises_and_images),
         cmocka_unit_test(test_its_numbers_are_those_of_the_other_verbs),
+        cmocka_unit_test(test_a_program_gets_the_seed_where_its_words_have_it),
         cmocka_unit_test(test_bad_words_leave_nothing),
     };
     bl_set_filter();

@@ -16,9 +16,9 @@ static const char *label_of(bl_run *run, const char *text) {
     if (!seed || seed == text || (seed[-1] != ':' && seed[-1] != ','))
         return bl_run_text(run, strlen(text) > LONGEST_LABEL ? "%.*s..." : "%.*s", LONGEST_LABEL,
                            text);
-    const char *rest = seed + strcspn(seed, ",");
-    int before = (int)(seed - text) - 1; // without the colon or the comma
-    const char *joint = !*rest ? "" : seed[-1] == ':' ? ":" : ",";
+    const char *rest = seed + strcspn(seed, ",:"); // of a program, ":" and its words
+    int before = (int)(seed - text) - 1;           // without the colon or the comma
+    const char *joint = *rest != ',' ? "" : seed[-1] == ':' ? ":" : ",";
     const char *whole =
         bl_run_text(run, "%.*s%s%s", before, text, joint, *rest == ',' ? rest + 1 : rest);
     return strlen(whole) > LONGEST_LABEL ? bl_run_text(run, "%.*s...", LONGEST_LABEL, whole)
@@ -50,14 +50,17 @@ static bl_status open_one(bl_run *run, const char *text, bl_signal **signal, bl_
     if (status != BL_OK || (*signal)->seed_offset == SIZE_MAX || strstr(text, "seed="))
         return status;
     bl_signal *seeded = NULL;
-    const char *with_seed = bl_run_text(run, "%s%cseed=%llu", text, strchr(text, ':') ? ',' : ':',
-                                        (unsigned long long)settings->seed);
-    status = bl_source_open(with_seed, settings->isa, &seeded, message);
-    if (status != BL_OK)
-        return status;
+    if (bl_source_is_file(text)) { // a program has its seed elsewhere
+        status = bl_source_open_seeded(text, settings->seed, settings->isa, &seeded, message);
+    } else {
+        const char *with_seed =
+            bl_run_text(run, "%s%cseed=%llu", text, strchr(text, ':') ? ',' : ':',
+                        (unsigned long long)settings->seed);
+        status = bl_source_open(with_seed, settings->isa, &seeded, message);
+    }
     bl_signal_free(*signal);
-    *signal = seeded;
-    return BL_OK;
+    *signal = seeded; // NULL if that failed
+    return status;
 }
 
 bl_status bl_gallery_open(bl_run *run, const char *const *texts, size_t count, bl_gallery *gallery,
