@@ -207,7 +207,7 @@ static void test_claims_become_facts(void **state) {
     assert_true(facts->stationary && !facts->isotropic);
     assert_true(isnan(plain->facts.lower) && isnan(plain->facts.variance));
     assert_true(isnan(plain->facts.band_from) && isnan(plain->facts.period[0]));
-    assert_int_equal(plain->facts.continuity, -1);
+    assert_int_equal(plain->facts.continuity, -2);
     assert_null(plain->facts.bound_proof);
     bl_signal_free(full);
     bl_signal_free(plain);
