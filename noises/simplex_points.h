@@ -232,6 +232,10 @@ BL_INLINE void simplex_points(const bl_lattice *lattice, const unsigned dims, fl
         size_t here = count - done < BL_BLOCK ? count - done : BL_BLOCK;
         float sum[BL_BLOCK];
         simplex_copy(&block, dims, at, done, here);
+        if (count - done >= 2 * BL_BLOCK) // the next block comes while this one is worked on
+            for (unsigned a = 0; a < dims; a++)
+                for (size_t i = BL_BLOCK; i < 2 * BL_BLOCK; i += 8)
+                    __builtin_prefetch(at[a] + done + i);
         simplex_load_near(&block, lattice, dims);
         if (block.strange)
             simplex_load_far(&block, lattice, dims, at, done, here);
