@@ -293,9 +293,16 @@ static inline bl_vector bl_rejection_gradient(uint32_t word) {
     return (bl_vector){1, 0, 0};
 }
 
-static inline bl_vector bl_edge_gradient(uint32_t word) {
+// The edge of a word: floor(12 m / 2^32) of the mixed word m, from 0 to 11. With m = 2^30 t + f it
+// is 3 t + floor(3 f / 2^30), and 3 f fits in 32 bits.
+static inline uint32_t bl_lattice_edge(uint32_t word) {
     uint32_t mixed = bl_lattice_mixed(word);
-    uint32_t edge = (uint32_t)((uint64_t)mixed * 12 >> 32);
+    return 3 * (mixed >> 30) + (3 * (mixed & 0x3fffffffu) >> 30);
+}
+
+// Bit 0 of the edge is the sign of its first component that is not 0, bit 1 that of the second.
+static inline bl_vector bl_edge_gradient(uint32_t word) {
+    uint32_t edge = bl_lattice_edge(word);
     float first = edge & 1 ? -1.0f : 1.0f, second = edge & 2 ? -1.0f : 1.0f;
     return (bl_vector){edge < 4 ? 0.0f : first,
                        edge < 4   ? first

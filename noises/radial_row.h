@@ -23,13 +23,18 @@
 
 #define SPLAT_LONGEST_STEP (1.0 / 5) // GATHER_MOST relies on it
 
-static inline void radial_row(const radial_line *line, size_t count, float *out) {
+static inline __attribute__((always_inline)) void
+radial_row_of(const bl_profile profile, const radial_line *line, size_t count, float *out) {
     if (line->row->step > SPLAT_LONGEST_STEP)
-        gather_row(line, count, out);
+        gather_row(profile, line, count, out);
     else
-        splat_row(line, count, out);
+        splat_row(profile, line, count, out);
     if (line->row->reversed)
         reverse(out, count);
+}
+
+static inline void radial_row(const radial_line *line, size_t count, float *out) {
+    radial_row_of(BL_PROFILE_CATMULL_ROM, line, count, out);
 }
 
 #endif

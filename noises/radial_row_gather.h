@@ -18,7 +18,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "noises/radial_kernel.h"
+#include "noises/radial_row_profile.h"
 #include "noises/radial_row_line.h"
 
 enum {
@@ -54,21 +54,20 @@ static void keep_near(gather_list *list, const radial_tile *tile, int odd) {
         start[s + 1] = (int)count;
     }
     for (size_t l = count; l < count + LANES; l++) { // the last block reads past the end
-        along[l] = amplitude[l] = 0;
+        list->along[0][l] = list->along[1][l] = amplitude[l] = 0;
         square[l] = 4;
     }
 }
 
-// The positions of the last tile for the samples of the tiles beside it: those before need its
-// first two cells, those after its last two.
-static void place_for_neighbours(gather_list *list, int odd) {
-    const int *start = list->start + (list->tiles - 1) * TILE_CELLS;
+// The positions of a tile for the samples of the tiles beside it, `shift` cells on: first for the
+// tile before, then for the tile after. All of them, so that what a block of 16 reads beyond its
+// stretch stands where it is, too far away, however few the impulses are.
+static void place_for_neighbour(gather_list *list, int at, int odd, float shift) {
+    const int *start = list->start + at * TILE_CELLS;
     const float *restrict own = list->along[odd];
     float *restrict other = list->along[!odd];
-    for (int i = start[0]; i < start[2]; i++)
-        other[i] = own[i] + TILE_CELLS;
-    for (int i = start[2]; i < start[4] + LANES; i++)
-        other[i] = own[i] - TILE_CELLS;
+    for (int i = start[0]; i < start[TILE_CELLS]; i++)
+        other[i] = own[i] + shift;
 }
 
 // Keeps the last two tiles.
@@ -89,9 +88,11 @@ static void append_tile(const radial_line *line, int64_t tile, int part, gather_
     int odd = (int)(tile & 1);
     if (list->tiles == GATHER_TILES)
         drop_tiles(list);
+    if (list->tiles >= 2) // the tile before the last is behind the next samples
+        place_for_neighbour(list, list->tiles - 2, odd, -TILE_CELLS);
     line->fill(line->context, tile, part, &impulses);
     keep_near(list, &impulses, odd);
-    place_for_neighbours(list, odd);
+    place_for_neighbour(list, list->tiles - 1, odd, TILE_CELLS);
 }
 
 // A stretch of the list as a sample sees it.
@@ -100,30 +101,34 @@ typedef struct gather_stretch {
     int count;
 } gather_stretch;
 
-static inline float gather_share(const gather_stretch *from, int i, float place) {
+static inline __attribute__((always_inline)) float
+gather_share(const bl_profile profile, const gather_stretch *from, int i, float place) {
     float t = place - from->along[i];
-    return from->amplitude[i] * radial_twice(sqrtf(t * t + from->square[i]));
+    return from->amplitude[i] * radial_row_kernel(profile, t * t + from->square[i]);
 }
 
 // The lanes of the sum at one sample.
-static inline void gather_one(const gather_stretch *from, float place, float sum[LANES]) {
+static inline __attribute__((always_inline)) void
+gather_one(const bl_profile profile, const gather_stretch *from, float place, float sum[LANES]) {
     float lane[LANES] = {0};
     for (int i = 0; i < from->count; i += LANES)
 #pragma omp simd
         for (int l = 0; l < LANES; l++)
-            lane[l] += gather_share(from, i + l, place);
+            lane[l] += gather_share(profile, from, i + l, place);
     memcpy(sum, lane, sizeof lane);
 }
 
 // The same at two samples of one cell, which share what is read.
-static inline void gather_two(const gather_stretch *from, const float place[2],
-                              float sum[2][LANES]) {
+static inline __attribute__((always_inline)) void gather_two(const bl_profile profile,
+                                                             const gather_stretch *from,
+                                                             const float place[2],
+                                                             float sum[2][LANES]) {
     float first[LANES] = {0}, second[LANES] = {0};
     for (int i = 0; i < from->count; i += LANES)
 #pragma omp simd
         for (int l = 0; l < LANES; l++) {
-            first[l] += gather_share(from, i + l, place[0]);
-            second[l] += gather_share(from, i + l, place[1]);
+            first[l] += gather_share(profile, from, i + l, place[0]);
+            second[l] += gather_share(profile, from, i + l, place[1]);
         }
     memcpy(sum[0], first, sizeof first);
     memcpy(sum[1], second, sizeof second);
@@ -171,23 +176,26 @@ static void add_lanes(gather_tile *samples) {
 }
 
 // `list` starts with the tile before that of the samples, at its tile `at`.
-static void gather_in_tile(const gather_list *list, int at, int odd, gather_tile *samples) {
+static inline __attribute__((always_inline)) void gather_in_tile(const bl_profile profile,
+                                                                 const gather_list *list, int at,
+                                                                 int odd, gather_tile *samples) {
     const int *start = list->start + at * TILE_CELLS;
     for (int k = 0; k < samples->samples;) {
         int cell = samples->cell[k], first = start[cell + 2];
         gather_stretch from = {list->along[odd] + first, list->square + first,
                                list->amplitude + first, start[cell + 7] - first};
         if (k + 1 < samples->samples && samples->cell[k + 1] == cell) {
-            gather_two(&from, samples->place + k, samples->lanes + k);
+            gather_two(profile, &from, samples->place + k, samples->lanes + k);
             k += 2;
         } else {
-            gather_one(&from, samples->place[k], samples->lanes[k]);
+            gather_one(profile, &from, samples->place[k], samples->lanes[k]);
             k++;
         }
     }
 }
 
-static void gather_part(const radial_line *line, int part, size_t count, float *out) {
+static inline __attribute__((always_inline)) void
+gather_part(const bl_profile profile, const radial_line *line, int part, size_t count, float *out) {
     gather_list list;
     gather_tile samples;
     list.tiles = list.start[0] = 0;
@@ -199,18 +207,19 @@ static void gather_part(const radial_line *line, int part, size_t count, float *
         for (; filled <= tile + 1; filled++)
             append_tile(line, filled, part, &list);
         samples_in_tile(line->row, i, count, tile, &samples);
-        gather_in_tile(&list, list.tiles - 3, (int)(tile & 1), &samples);
+        gather_in_tile(profile, &list, list.tiles - 3, (int)(tile & 1), &samples);
         add_lanes(&samples);
         for (int k = 0; k < samples.samples; k++)
             out[i + (size_t)k] += samples.sum[k] * line->scale;
     }
 }
 
-static void gather_row(const radial_line *line, size_t count, float *out) {
+static inline __attribute__((always_inline)) void
+gather_row(const bl_profile profile, const radial_line *line, size_t count, float *out) {
     for (size_t i = 0; i < count; i++)
         out[i] = 0;
     for (int part = 0; part < line->parts; part++)
-        gather_part(line, part, count, out);
+        gather_part(profile, line, part, count, out);
 }
 
 #endif

@@ -21,7 +21,7 @@
 enum {
     TILE_CELLS = 4,                          // along the row
     TILE_COLUMNS = 28,                       // most cells across it: 25, filled up
-    TILE_IMPULSES = 4,                       // most of a cell in a part
+    TILE_IMPULSES = 8,                       // most of a cell in a part
     TILE_PLACES = TILE_CELLS * TILE_COLUMNS, // most cells
     TILE_MOST = TILE_PLACES * TILE_IMPULSES, // most impulses in a part of a tile
 };
@@ -46,7 +46,7 @@ typedef struct radial_line {
     void (*fill)(const void *context, int64_t tile, int part, radial_tile *impulses);
     const void *context;
     int parts;
-    float scale; // of the results: sum of amplitude * 2 K, times scale
+    float scale; // of the results: sum of amplitude * radial_row_kernel, times scale
 } radial_line;
 
 static inline double tile_middle(int64_t tile) {

@@ -11,6 +11,8 @@
 //   far    2 <= h^2 < 4  a polynomial in h^2 and t^2 instead of root and kernel: it needs no
 //                        divider, and takes turns with the others, which wait for theirs
 //
+// Kernels other than Catmull-Rom's need no root and are the same in every kind.
+//
 // Within a class all chords take the same number of half blocks of 8 samples. A sample beyond a
 // chord receives exactly 0, so that it does not matter where blocks begin or that they reach too
 // far, and a sample's sum runs through tiles, parts, classes and impulses in a fixed order. The
@@ -24,7 +26,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "noises/radial_kernel.h"
+#include "noises/radial_row_profile.h"
 #include "noises/radial_row_line.h"
 
 enum {
@@ -157,7 +159,8 @@ static inline splat_chord chord_at(const splat_batch *batch, splat_run *run, int
 }
 
 // Adds the impulse to `count` samples; count and kind are constants where it is called.
-static inline __attribute__((always_inline)) void splat_block(const splat_chord *chord, int from,
+static inline __attribute__((always_inline)) void splat_block(const bl_profile profile,
+                                                              const splat_chord *chord, int from,
                                                               const int count, const int kind) {
     const float *restrict place = chord->place + from;
     float *restrict sum = chord->sum + from;
@@ -166,7 +169,9 @@ static inline __attribute__((always_inline)) void splat_block(const splat_chord 
 #pragma omp simd
     for (int l = 0; l < count; l++) {
         float t = place[l] - along;
-        if (kind == KIND_FAR)
+        if (profile != BL_PROFILE_CATMULL_ROM)
+            sum[l] += amplitude * radial_row_kernel(profile, t * t + square);
+        else if (kind == KIND_FAR)
             sum[l] += radial_far(reach - t * t, scaled);
         else if (kind == KIND_SIDE)
             sum[l] += amplitude * radial_twice_outer(sqrtf(t * t + square));
@@ -176,39 +181,43 @@ static inline __attribute__((always_inline)) void splat_block(const splat_chord 
 }
 
 // Splats the impulse at a place in the order.
-static inline __attribute__((always_inline)) void
-splat_one(const splat_batch *batch, splat_run *run, int at, const int kind) {
+static inline __attribute__((always_inline)) void splat_one(const bl_profile profile,
+                                                            const splat_batch *batch,
+                                                            splat_run *run, int at,
+                                                            const int kind) {
     splat_chord chord = chord_at(batch, run, at, kind);
     int count = chord.halves * HALF_BLOCK, i = 0;
     for (; i + LANES <= count; i += LANES)
-        splat_block(&chord, i, LANES, kind);
+        splat_block(profile, &chord, i, LANES, kind);
     if (i < count)
-        splat_block(&chord, i, HALF_BLOCK, kind);
+        splat_block(profile, &chord, i, HALF_BLOCK, kind);
 }
 
 // Adds the impulses to the samples, a far one and another in turn.
-static void splat(splat_batch *batch, splat_run *run) {
+static inline __attribute__((always_inline)) void splat(const bl_profile profile,
+                                                        splat_batch *batch, splat_run *run) {
     classify(batch, run);
     sort_by_class(batch);
     const int *start = batch->start;
     int other = 0, far = start[KIND_FAR];
     for (; other < start[KIND_SIDE] && far < start[KIND_NONE]; other++, far++) {
-        splat_one(batch, run, other, KIND_NEAR);
-        splat_one(batch, run, far, KIND_FAR);
+        splat_one(profile, batch, run, other, KIND_NEAR);
+        splat_one(profile, batch, run, far, KIND_FAR);
     }
     for (; other < start[KIND_SIDE]; other++)
-        splat_one(batch, run, other, KIND_NEAR);
+        splat_one(profile, batch, run, other, KIND_NEAR);
     for (; other < start[KIND_FAR] && far < start[KIND_NONE]; other++, far++) {
-        splat_one(batch, run, other, KIND_SIDE);
-        splat_one(batch, run, far, KIND_FAR);
+        splat_one(profile, batch, run, other, KIND_SIDE);
+        splat_one(profile, batch, run, far, KIND_FAR);
     }
     for (; other < start[KIND_FAR]; other++)
-        splat_one(batch, run, other, KIND_SIDE);
+        splat_one(profile, batch, run, other, KIND_SIDE);
     for (; far < start[KIND_NONE]; far++)
-        splat_one(batch, run, far, KIND_FAR);
+        splat_one(profile, batch, run, far, KIND_FAR);
 }
 
-static void splat_row(const radial_line *line, size_t count, float *out) {
+static inline __attribute__((always_inline)) void
+splat_row(const bl_profile profile, const radial_line *line, size_t count, float *out) {
     const axis_row *row = line->row;
     splat_batch batch;
     splat_run run;
@@ -224,7 +233,7 @@ static void splat_row(const radial_line *line, size_t count, float *out) {
             place_samples(row, tile, &run);
             for (int part = 0; part < line->parts; part++) {
                 line->fill(line->context, tile, part, &batch.tile);
-                splat(&batch, &run);
+                splat(profile, &batch, &run);
             }
         }
         for (int i = 0, at = SPLAT_MARGIN; i < run.samples; i++, at++)

@@ -42,8 +42,9 @@
 //
 // Period: none, and no key for one. Whole numbers shift the lattice into itself along an axis in
 // 3-D by multiples of 3 only (u moves by (4, 1, 1), F = 1/3), and in 2-D and 4-D never: F is
-// irrational. NaN, infinity and coordinates beyond 2^62 give NaN. The skew is exact: F has 128
-// bits, so the noise is as good far out as near; from 2^52 on coordinates are whole numbers.
+// irrational. NaN, infinity and coordinates beyond 2^62 give NaN. The skew is good to 2^-52 of a
+// cell everywhere (noises/simplex_place.h), so the noise is as good far out as near; from 2^52 on
+// coordinates are whole numbers.
 //
 // Known defects: N makes it weaker than gnoise; the variance depends on the place, 0 at the
 // corners; slices of the 3-D and 4-D noise are not 2-D noises and have another spectrum.
@@ -54,8 +55,9 @@
 
 #include "noises/closed_forms.h"
 #include "noises/common_parameters.h"
-#include "noises/gradient_kernel.h"
 #include "noises/noise.h"
+#include "noises/simplex_place.h"
+#include "noises/simplex_points.h"
 #include "noises/simplex_theory.h"
 
 typedef struct simplex_parameters {
@@ -70,167 +72,13 @@ static const double radii[] = {0.5, 0.6};
 // By radius2 and dims.
 static const double normalisations[2][BL_AXES + 1] = {{0, 0, 99, 76, 61}, {0, 0, 34, 32, 26}};
 
-// floor(2^128 F) by 64 bits, from whole square roots of 280 bits; F and G themselves.
-static const uint64_t skew_high[] = {0, 0, 0x5db3d742c265539d, 0x5555555555555555,
-                                     0x4f1bbcdcbfa53e0a};
-static const uint64_t skew_low[] = {0, 0, 0x92ba16b83c5c1dc4, 0x5555555555555555,
-                                    0xf9ce60302e76e41a};
-static const double skews[] = {0, 0, 0.36602540378443865, 1.0 / 3, 0.30901699437494742};
-static const double unskews[] = {0, 0, 0.21132486540518712, 1.0 / 6, 0.13819660112501051};
-
-// --- the simplex of a point ---------------------------------------------------------------------
-
-typedef struct simplex_place {
-    uint64_t cell[BL_AXES]; // of the skewed point
-    double offset[BL_AXES]; // from corner 0, not skewed
-    uint32_t rank[BL_AXES]; // of the fractions: 0 for the largest
-} simplex_place;
-
-// The fraction of F S, S the sum of the cells; the whole part, modulo 2^64, to `whole`. In units of
-// 2^-64: S times the high half of F modulo 2^128, which two's complement makes right for negative
-// sums, and S times the low half, of which a bit is dropped: |S| < 2^64, so |S/2| < 2^63, and its
-// product with 64 bits fits.
-BL_INLINE double skewed_sum(unsigned dims, __int128 sum, uint64_t *whole) {
-    __int128 low = ((__int128)(int64_t)(sum >> 1) * (__int128)skew_low[dims]) >> 63;
-    unsigned __int128 all = (unsigned __int128)sum * skew_high[dims] + (unsigned __int128)low;
-    *whole = (uint64_t)(all >> 64);
-    return (double)(uint64_t)all * 0x1p-64;
-}
-
-// Returns 0 outside of the domain. Fractions of u are below 1 + 1 + n, so their floors are small.
-BL_INLINE int find_simplex(unsigned dims, const double at[BL_AXES], simplex_place *place) {
-    double fraction[BL_AXES], fractions = 0, total = 0;
-    __int128 cells = 0;
-    for (unsigned a = 0; a < dims; a++) {
-        if (!bl_lattice_split(at[a], &place->cell[a], &fraction[a]))
-            return 0;
-        cells += (int64_t)place->cell[a];
-        fractions += fraction[a];
-    }
-    uint64_t whole;
-    double shift = skewed_sum(dims, cells, &whole) + skews[dims] * fractions;
-    for (unsigned a = 0; a < dims; a++) {
-        double u = fraction[a] + shift, down = floor(u);
-        place->cell[a] += whole + (uint64_t)down;
-        fraction[a] = u - down;
-        total += fraction[a];
-    }
-    for (unsigned a = 0; a < dims; a++) {
-        place->offset[a] = fraction[a] - unskews[dims] * total;
-        place->rank[a] = 0;
-        for (unsigned b = 0; b < dims; b++)
-            place->rank[a] += fraction[b] > fraction[a] || (fraction[b] == fraction[a] && b < a);
-    }
-    return 1;
-}
-
-// --- gradients ----------------------------------------------------------------------------------
-
-typedef struct simplex_gradient {
-    float x, y, z, w;
-} simplex_gradient;
-
-// From the top bits of a word: exact floats, but for the diagonals in 2-D, whose floats are the
-// gradient by definition.
-BL_INLINE simplex_gradient gradient_of(unsigned dims, uint32_t word) {
-    if (dims == 3) {
-        bl_vector g = bl_edge_gradient(word);
-        return (simplex_gradient){g.x, g.y, g.z, 0};
-    }
-    float p = word & 0x20000000u ? -1.0f : 1.0f, q = word & 0x10000000u ? -1.0f : 1.0f,
-          r = word & 0x08000000u ? -1.0f : 1.0f;
-    uint32_t kind = word >> 30;
-    if (dims == 2) {
-        // Two kinds of four: the diagonals, and the axes.
-        const float diagonal = 0.70710678f;
-        int is_diagonal = kind & 1, is_x = kind >> 1;
-        return (simplex_gradient){is_diagonal ? diagonal * p
-                                  : is_x      ? p
-                                              : 0.0f,
-                                  is_diagonal ? (is_x ? diagonal : -diagonal)
-                                  : is_x      ? 0.0f
-                                              : p,
-                                  0, 0};
-    }
-    // The axis `kind` is left out; the three signs go to the others in turn.
-    return (simplex_gradient){kind == 0 ? 0.0f : p,
-                              kind == 1   ? 0.0f
-                              : kind == 0 ? p
-                                          : q,
-                              kind == 2  ? 0.0f
-                              : kind < 2 ? q
-                                         : r,
-                              kind == 3 ? 0.0f : r};
-}
-
 // --- points -------------------------------------------------------------------------------------
-
-typedef struct simplex_block {
-    uint32_t add[BL_AXES][2][BL_BLOCK], exclusive[BL_AXES][2][BL_BLOCK];
-    uint32_t rank[BL_AXES][BL_BLOCK];
-    float offset[BL_AXES][BL_BLOCK], nothing[BL_BLOCK];
-} simplex_block;
-
-BL_INLINE void load(simplex_block *block, const bl_lattice *lattice, unsigned dims,
-                    const double *const at[BL_AXES], size_t from, size_t count) {
-    for (size_t i = 0; i < count; i++) {
-        simplex_place place = {0};
-        double x[BL_AXES] = {0};
-        for (unsigned a = 0; a < dims; a++)
-            x[a] = at[a][from + i];
-        block->nothing[i] = find_simplex(dims, x, &place) ? 0 : NAN;
-        for (unsigned a = 0; a < dims; a++) {
-            for (unsigned k = 0; k < 2; k++) {
-                bl_lattice_key key = bl_lattice_key_of(lattice, a, place.cell[a] + k);
-                block->add[a][k][i] = key.add;
-                block->exclusive[a][k][i] = key.exclusive;
-            }
-            block->offset[a][i] = (float)place.offset[a];
-            block->rank[a][i] = place.rank[a];
-        }
-    }
-}
-
-// What a corner adds to point i; corner k is one step further along the k axes of the least ranks.
-BL_INLINE float corner_value(const simplex_block *block, unsigned dims, uint32_t k, float radius2,
-                             size_t i) {
-    uint32_t add = 0, exclusive = 0;
-    float d[BL_AXES] = {0}, square = 0;
-    const float back = (float)(k * unskews[dims]);
-    for (unsigned a = 0; a < dims; a++) {
-        int stepped = block->rank[a][i] < k;
-        add += stepped ? block->add[a][1][i] : block->add[a][0][i];
-        exclusive ^= stepped ? block->exclusive[a][1][i] : block->exclusive[a][0][i];
-        d[a] = (block->offset[a][i] + back) - (stepped ? 1.0f : 0.0f);
-        square += d[a] * d[a];
-    }
-    simplex_gradient g = gradient_of(dims, add * exclusive);
-    float t = radius2 - square;
-    t = t > 0 ? t * t : 0;
-    float dot = g.x * d[0] + g.y * d[1];
-    if (dims > 2)
-        dot += g.z * d[2];
-    if (dims > 3)
-        dot += g.w * d[3];
-    return t * t * dot;
-}
 
 BL_INLINE void points_of(const simplex_parameters *p, unsigned dims,
                          const double *const at[BL_AXES], size_t count, float *out) {
     const bl_lattice lattice = bl_lattice_of(p->seed, BL_LATTICE_HASH);
-    const float radius2 = (float)radii[p->radius2], scale = (float)normalisations[p->radius2][dims];
-    simplex_block block;
-    for (size_t done = 0; done < count; done += BL_BLOCK) {
-        size_t here = count - done < BL_BLOCK ? count - done : BL_BLOCK;
-        float sum[BL_BLOCK] = {0};
-        load(&block, &lattice, dims, at, done, here);
-        for (uint32_t k = 0; k <= dims; k++)
-#pragma omp simd
-            for (size_t i = 0; i < here; i++)
-                sum[i] += corner_value(&block, dims, k, radius2, i);
-        for (size_t i = 0; i < here; i++)
-            out[done + i] = sum[i] * scale + block.nothing[i];
-    }
+    simplex_points(&lattice, dims, (float)radii[p->radius2],
+                   (float)normalisations[p->radius2][dims], at, count, out);
 }
 
 static void points(const void *block, const double *const at[BL_AXES], size_t count, float *out) {
@@ -257,19 +105,23 @@ static double reference(const void *block, const double at[BL_AXES], double grad
     const double scale = normalisations[p->radius2][dims];
     simplex_place place;
     double sum = 0, slopes[BL_AXES] = {0};
-    int inside = find_simplex(dims, at, &place);
+    uint32_t rank[BL_AXES] = {0};
+    int inside = simplex_place_of(dims, at, &place);
+    if (inside)
+        simplex_ranks(dims, place.fraction, rank);
     for (uint32_t k = 0; inside && k <= dims; k++) {
         uint32_t add = 0, exclusive = 0;
         double d[BL_AXES] = {0}, square = 0, dot = 0;
         for (unsigned a = 0; a < dims; a++) {
-            int stepped = place.rank[a] < k;
+            int stepped = rank[a] < k;
             bl_lattice_key key = bl_lattice_key_of(&lattice, a, place.cell[a] + (stepped ? 1 : 0));
             add += key.add;
             exclusive ^= key.exclusive;
-            d[a] = place.offset[a] - stepped + k * unskews[dims];
+            d[a] = simplex_offset(dims, place.fraction[a], place.total) - stepped +
+                   k * simplex_unskews[dims];
             square += d[a] * d[a];
         }
-        simplex_gradient g = gradient_of(dims, add * exclusive);
+        simplex_gradient g = simplex_gradient_of(dims, add * exclusive);
         const double components[BL_AXES] = {g.x, g.y, g.z, g.w};
         double t = fmax(0, radii[p->radius2] - square);
         for (unsigned a = 0; a < dims; a++)

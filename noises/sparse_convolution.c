@@ -27,8 +27,7 @@
 // The spectrum is E[a^2]/N |K^|^2, of variance E[a^2]/N int K^2, E[a^2] = (1 - 2^-40)/3.
 // Known defects: a fixed number of impulses in a cell is not Poisson, though the spectrum is the
 // same since amplitudes are independent with mean 0; fourth moments tell (t-impulses). With
-// kernel=table the noise is discontinuous. Kernels other than exact, and poisson counts, have no
-// loop of their own for rows.
+// kernel=table the noise is discontinuous.
 // Deviations from peachey2003, pp. 80-83: random numbers come from a hash of cell and seed; with
 // perm256 every index has N entries of its own, where the text lets impulse k+1 of entry h be
 // impulse k of entry h+1, so that cells share impulses.
@@ -96,7 +95,7 @@ static bl_profile profile_of(const sparse_parameters *p) {
                                           : BL_PROFILE_CATMULL_ROM;
 }
 
-// The text's own noise, which has fast paths.
+// The text's own noise, which has a faster path for points.
 static int is_plain(const sparse_parameters *p) {
     return p->kernel == KERNEL_EXACT && p->count == IMPULSE_COUNT_FIXED;
 }
@@ -166,7 +165,7 @@ static void points_by_value(const void *block, const double *const at[BL_AXES], 
         out[i] = (float)value(block, (double[BL_AXES]){at[0][i], at[1][i], at[2][i], 0});
 }
 
-// The kernels and counts without fast paths, by impulse_points.h.
+// The other kernels and counts, by impulse_points.h.
 typedef struct impulse_kernel {
     int unused;
 } impulse_kernel;
@@ -224,20 +223,33 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
 
 // --- rows ---------------------------------------------------------------------------------------
 
+static void row_inside(const sparse_parameters *p, const axis_row *along, size_t count,
+                       float *out) {
+    sparse_source source;
+    impulse_source counts, *poisson = p->count == IMPULSE_COUNT_POISSON ? &counts : NULL;
+    sparse_source_open(&source, &p->lattice, p->impulses);
+    if (poisson)
+        impulse_source_open(poisson, &p->lattice, p->impulses, 1);
+    if (p->kernel == KERNEL_COSINE)
+        sparse_row(&source, poisson, BL_PROFILE_COSINE, along, count, out);
+    else if (p->kernel == KERNEL_GAUSSIAN)
+        sparse_row(&source, poisson, BL_PROFILE_GAUSSIAN, along, count, out);
+    else
+        sparse_row(&source, poisson, BL_PROFILE_CATMULL_ROM, along, count, out);
+}
+
 static void row(const void *block, const double start[BL_AXES], const double step[BL_AXES],
                 size_t count, float *out) {
     const sparse_parameters *p = block;
     axis_row along;
     size_t from, to;
     find_inside(start, step, count, &from, &to);
-    if (is_plain(p) && from < to && axis_row_open(&along, start, step, from, to - from) &&
-        tiles_repeat(&p->lattice, along.axis)) {
-        sparse_source source;
-        sparse_source_open(&source, &p->lattice, p->impulses);
-        sparse_row(&source, &along, to - from, out + from);
-    } else {
+    if (p->kernel != KERNEL_TABLE && from < to &&
+        axis_row_open(&along, start, step, from, to - from) &&
+        tiles_repeat(&p->lattice, along.axis))
+        row_inside(p, &along, to - from, out + from);
+    else
         to = from;
-    }
     row_by_points(points, block, start, step, 0, from, out);
     row_by_points(points, block, start, step, to, count - to, out + to);
 }

@@ -14,6 +14,7 @@
 #include <stdint.h>
 
 #include "noises/convolution_cells.h"
+#include "noises/impulses.h"
 #include "noises/radial_row.h"
 #include "noises/sparse_impulses.h"
 
@@ -21,6 +22,7 @@
 // filled up to a multiple of 4 with columns out of reach.
 typedef struct sparse_columns {
     const sparse_source *source;
+    const impulse_source *poisson; // has the counts; NULL: they are fixed
     int axis, across[2];
     int columns;
     uint32_t add[3][TILE_PLACES], exclusive[3][TILE_PLACES]; // keys, along the two axes across
@@ -68,9 +70,42 @@ static void open_columns(sparse_columns *columns, const axis_row *row) {
 typedef struct sparse_cells {
     uint32_t first[TILE_PLACES], second[TILE_PLACES];
     float middle[TILE_PLACES];
+    int32_t count[TILE_PLACES]; // of impulses, for poisson
 } sparse_cells;
 
-static void fill_cells(const sparse_columns *columns, int64_t tile, sparse_cells *cells) {
+// The counts of the cells from their keys; returns the largest.
+static int fill_counts(const impulse_source *source, const uint32_t *const add[3],
+                       const uint32_t *const exclusive[3], int places, int32_t *restrict count) {
+    uint32_t third[TILE_PLACES];
+    const uint32_t *x = add[0], *y = add[1], *z = add[2];
+    const uint32_t *u = exclusive[0], *v = exclusive[1], *w = exclusive[2];
+    if (source->lattice.kind == BL_LATTICE_PERM256) {
+        for (int i = 0; i < places; i++)
+            third[i] = source->table[2][bl_perm256_index(x[i], y[i], z[i])];
+    } else {
+#pragma omp simd
+        for (int i = 0; i < places; i++)
+            third[i] = impulse_word(source, x[i] + y[i] + z[i], u[i] ^ v[i] ^ w[i], 2);
+    }
+    for (int i = 0; i < places; i++)
+        count[i] = 0;
+    for (int n = 0; n < source->most; n++) {
+        const uint32_t limit = source->limit[n];
+        uint32_t more = 0;
+#pragma omp simd reduction(| : more)
+        for (int i = 0; i < places; i++) {
+            uint32_t here = limit <= third[i];
+            count[i] += (int32_t)here;
+            more |= here;
+        }
+        if (!more)
+            return n;
+    }
+    return source->most;
+}
+
+// Returns the largest count of a cell.
+static int fill_cells(const sparse_columns *columns, int64_t tile, sparse_cells *cells) {
     const cell_numbers *numbers = &columns->source->numbers;
     uint32_t add[TILE_PLACES], exclusive[TILE_PLACES];
     int count = columns->columns;
@@ -89,6 +124,9 @@ static void fill_cells(const sparse_columns *columns, int64_t tile, sparse_cells
     adds[columns->axis] = add;
     exclusives[columns->axis] = exclusive;
     cells_words(numbers, adds, exclusives, TILE_CELLS * count, cells->first, cells->second);
+    return columns->poisson
+               ? fill_counts(columns->poisson, adds, exclusives, TILE_CELLS * count, cells->count)
+               : columns->source->impulses;
 }
 
 // Impulse n of each cell.
@@ -117,33 +155,50 @@ static void place_impulses(const sparse_columns *columns, const sparse_cells *ce
         }
 }
 
+// Puts impulse n of the cells that have fewer out of reach.
+static void drop_missing(const sparse_columns *columns, const sparse_cells *cells, int32_t n,
+                         float *restrict square) {
+    int count = TILE_CELLS * columns->columns;
+#pragma omp simd
+    for (int i = 0; i < count; i++)
+        square[i] = n < cells->count[i] ? square[i] : 4;
+}
+
 static void fill_tile(const void *context, int64_t tile, int part, radial_tile *impulses) {
     const sparse_columns *columns = context;
-    const sparse_source *source = columns->source;
     sparse_cells cells;
     int first = part * TILE_IMPULSES, last = first + TILE_IMPULSES;
-    last = last < source->impulses ? last : source->impulses;
+    int most = fill_cells(columns, tile, &cells);
+    last = last < most ? last : most;
     impulses->columns = columns->columns;
-    impulses->impulses = last - first;
-    fill_cells(columns, tile, &cells);
+    impulses->impulses = last > first ? last - first : 0;
     for (int n = first; n < last; n++) {
         int at = (n - first) * TILE_CELLS * columns->columns;
-        place_impulses(columns, &cells, source->factors.of[n], impulses->along + at,
-                       impulses->square + at, impulses->amplitude + at);
+        const uint32_t *factor =
+            columns->poisson ? columns->poisson->factor[n] : columns->source->factors.of[n];
+        place_impulses(columns, &cells, factor, impulses->along + at, impulses->square + at,
+                       impulses->amplitude + at);
+        if (columns->poisson)
+            drop_missing(columns, &cells, n, impulses->square + at);
     }
 }
 
-static void sparse_row(const sparse_source *source, const axis_row *row, size_t count, float *out) {
-    sparse_columns columns = {.source = source, .axis = row->axis};
+// `poisson` has the counts, or is NULL where they are fixed.
+static inline __attribute__((always_inline)) void
+sparse_row(const sparse_source *source, const impulse_source *poisson, const bl_profile profile,
+           const axis_row *row, size_t count, float *out) {
+    sparse_columns columns = {.source = source, .poisson = poisson, .axis = row->axis};
     columns.across[0] = row->across[0];
     columns.across[1] = row->across[1];
     open_columns(&columns, row);
+    int most = poisson ? poisson->most : source->impulses;
     radial_line line = {.row = row,
                         .fill = fill_tile,
                         .context = &columns,
-                        .parts = (source->impulses + TILE_IMPULSES - 1) / TILE_IMPULSES,
-                        .scale = source->scale};
-    radial_row(&line, count, out);
+                        .parts = (most + TILE_IMPULSES - 1) / TILE_IMPULSES,
+                        .scale =
+                            profile == BL_PROFILE_CATMULL_ROM ? source->scale : 2 * source->scale};
+    radial_row_of(profile, &line, count, out);
 }
 
 #endif

@@ -20,7 +20,12 @@ static const char *const names[] = {"vcnoise",
                                     "scnoise:impulses=1",
                                     "scnoise:impulses=64,seed=18446744073709551615",
                                     "vcnoise:lattice=perm256",
-                                    "scnoise:lattice=perm256"};
+                                    "scnoise:lattice=perm256",
+                                    "scnoise:count=poisson",
+                                    "scnoise:count=poisson,impulses=1,kernel=gaussian",
+                                    "scnoise:count=poisson,impulses=9,kernel=cosine",
+                                    "scnoise:count=poisson,lattice=perm256",
+                                    "scnoise:kernel=cosine"};
 enum { NAMES = sizeof names / sizeof *names };
 
 static bl_signal *open_isa(const char *text, bl_isa isa) {

@@ -2,11 +2,13 @@
 //
 // What the walkers do not hold of simplex noise: the sum over the corners against the sum over all
 // points of the lattice near by, near and far; the bound behind N; the closed forms against each
-// other and against a sum by brute force; that facets lie a kernel's radius away.
+// other and against a sum by brute force; that facets lie a kernel's radius away; the two ways to
+// the skew, and points of both in one batch.
 #include "tests/test.h"
 
 #include "core/random.h"
 #include "noises/lattice.h"
+#include "noises/simplex_place.h"
 #include "noises/simplex_theory.h"
 #include "tests/texts.h"
 
@@ -315,6 +317,62 @@ static void test_a_corner_is_a_radius_from_its_facet(void **state) {
     }
 }
 
+// --- near and far -------------------------------------------------------------------------------
+
+// Three parts of F in doubles against 128 bits of it, up to the largest sum of near cells.
+static void test_the_skew_of_near_cells_is_that_of_128_bits(void **state) {
+    (void)state;
+    bl_random random = bl_random_seed(11, 0);
+    for (unsigned dims = 2; dims <= 4; dims++)
+        for (int trial = 0; trial < 30000; trial++) {
+            double size = trial & 1 ? 0x1p29 : 1000;
+            double sum = trial < 2 ? (trial ? -0x1p29 : 0x1p29)
+                                   : floor(size * (2 * bl_random_unit(&random) - 1));
+            double down, near = simplex_skew_near(dims, sum, &down);
+            uint64_t whole;
+            double far = simplex_skew_far(dims, (__int128)sum, &whole);
+            double apart = (double)((int64_t)down - (int64_t)whole) + (near - far);
+            assert_true(fabs(apart) <= 0x1p-51);
+            assert_true(fabs(near) < 2);
+        }
+}
+
+// Points on both sides of 2^27, and outside of the domain, in one batch: each has the bits that it
+// has alone, and agrees with the reference, with the kernel that jumps at the facets too.
+static void test_near_and_far_points_may_stand_in_one_batch(void **state) {
+    (void)state;
+    enum { POINTS = 300 };
+    static const char *const texts[] = {"simplex:dims=2",      "simplex",
+                                        "simplex:dims=4",      "simplex:dims=2,radius2=0.6",
+                                        "simplex:radius2=0.6", "simplex:dims=4,radius2=0.6"};
+    static const double centres[] = {0, 0x1p27, -0x1p27, 0x1p40, INFINITY};
+    static double x[BL_AXES][POINTS];
+    bl_random random = bl_random_seed(12, 0);
+    for (int i = 0; i < POINTS; i++)
+        for (int a = 0; a < BL_AXES; a++)
+            x[a][i] = centres[bl_random_bits(&random) >> 32 & (i % 7 == 0 ? 3 : 1)] +
+                      10 * (2 * bl_random_unit(&random) - 1);
+    x[1][17] = NAN;
+    x[0][130] = centres[4];
+    for (size_t t = 0; t < sizeof texts / sizeof *texts; t++) {
+        bl_signal *signal = bl_test_open(texts[t], BL_ISA_BEST);
+        const double *const at[BL_AXES] = {x[0], x[1], x[2], x[3]};
+        float together[POINTS], alone;
+        bl_signal_points(signal, at, POINTS, together);
+        for (int i = 0; i < POINTS; i++) {
+            const double *const one[BL_AXES] = {x[0] + i, x[1] + i, x[2] + i, x[3] + i};
+            const double place[BL_AXES] = {x[0][i], x[1][i], x[2][i], x[3][i]};
+            bl_signal_points(signal, one, 1, &alone);
+            assert_memory_equal(&alone, together + i, sizeof alone);
+            double truth = bl_signal_value(signal, place);
+            assert_int_equal(isnan(truth), isnan(alone));
+            if (!isnan(truth))
+                assert_near(alone, truth, 32 * 0x1p-24);
+        }
+        bl_signal_free(signal);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_corners_are_all_that_reach_a_point),
@@ -322,6 +380,8 @@ int main(void) {
         cmocka_unit_test(test_the_normalisation_keeps_the_bound),
         cmocka_unit_test(test_the_closed_forms_agree),
         cmocka_unit_test(test_a_corner_is_a_radius_from_its_facet),
+        cmocka_unit_test(test_the_skew_of_near_cells_is_that_of_128_bits),
+        cmocka_unit_test(test_near_and_far_points_may_stand_in_one_batch),
     };
     return bl_run_tests(tests);
 }
