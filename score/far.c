@@ -260,6 +260,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(far) = {
     .name = "far",
     .title = "far",
+    .entry = "the coordinate up to which half of the values in a cell are distinct numbers",
     .question = "Is the noise as good at large coordinates as near 0?",
     .measure = measure,
 };
