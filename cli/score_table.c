@@ -163,6 +163,7 @@ static void print_legend(bl_call *call, const bl_scorecard *cards, size_t count,
                          const size_t *widths, size_t width, double alpha) {
     int starred = 0, unsure = 0, idle = 0;
     char chance[160];
+    fputs("the columns\n", call->out);
     for (size_t i = 0; i < bl_property_count(); i++) {
         if (!widths[i])
             continue;
