@@ -3,6 +3,7 @@
 // The verb `check`: does a signal keep to its band, or to all it claims? The exit status is the
 // verdict.
 #include <math.h>
+#include <string.h>
 
 #include "cli/claims.h"
 #include "cli/json.h"
@@ -94,15 +95,35 @@ static bl_status judge(bl_call *call, const bl_signal *signal, const bl_psd *psd
     return call->path ? bl_spectral_csv(call, signal, psd) : BL_OK;
 }
 
+// The options of the spectrum say nothing to the scorecard.
+static bl_status refuse_of_band(bl_call *call) {
+    for (int i = 0; i < call->argument_count; i++) {
+        const char *word = call->arguments[i];
+        if (strcmp(word, "--") == 0)
+            break;
+        for (const bl_option *option = call->verb->options; option->name; option++) {
+            size_t length = strlen(option->name);
+            if (strncmp(word, "--", 2) == 0 && strncmp(word + 2, option->name, length) == 0 &&
+                (word[2 + length] == '\0' || word[2 + length] == '=') &&
+                strcmp(option->name, "claims") != 0 && strcmp(option->name, "alpha") != 0)
+                return bl_report(&call->message, BL_USAGE,
+                                 "--%s says nothing to --claims, which takes all from what the "
+                                 "signal states; leave one of them out",
+                                 option->name);
+        }
+    }
+    return BL_OK;
+}
+
 static bl_status run_check(bl_call *call) {
     const check_settings *settings = call->settings;
     bl_band_limit limit = {.limit_db = settings->leak_db};
     bl_signal *signal;
     bl_psd psd;
+    bl_status status = settings->claims ? refuse_of_band(call) : BL_OK;
     if (settings->claims)
-        return bl_check_claims(call, settings->alpha);
-    bl_status status =
-        bl_read_range("band", settings->band, 1, &limit.from, &limit.to, &call->message);
+        return status == BL_OK ? bl_check_claims(call, settings->alpha) : status;
+    status = bl_read_range("band", settings->band, 1, &limit.from, &limit.to, &call->message);
     if (status == BL_OK && limit.from < 0)
         status = bl_report(&call->message, BL_USAGE, "--band %s: frequencies start at 0",
                            settings->band);
@@ -154,7 +175,7 @@ static const bl_option options[] = {
      .kind = BL_OPTION_FLAG,
      .offset = offsetof(check_settings, claims),
      .help = "check everything that the signal states of itself, by the scorecard, in place of a "
-             "band; of the other options only --alpha counts"},
+             "band, whose options it refuses"},
     {.name = "alpha",
      .kind = BL_OPTION_REAL,
      .offset = offsetof(check_settings, alpha),
@@ -177,7 +198,9 @@ const bl_verb bl_verb_check = {
         "is nothing to judge, because the signal is constant, or no frequency that was measured "
         "lies in the band or outside of it and its guard, it is an error (3). With --claims "
         "the range, the mean, the variance, the band and all else that the signal states are "
-        "judged, a line a claim; a signal that states nothing is an error (3).",
+        "judged, a line a claim; a signal that states nothing is an error (3), and so is a "
+        "program, which "
+        "cannot make claims.",
     .least = 1,
     .most = 1,
     .output = BL_OUTPUT_DATA,

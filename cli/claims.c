@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/claims.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "cli/csv.h"
 #include "cli/json.h"
 #include "cli/plain.h"
 #include "cli/scorecard.h"
+#include "score/sampling.h"
 
 enum { MOST = BL_SCORE_PROPERTIES * BL_SCORE_CLAIMS };
 
@@ -31,12 +33,28 @@ static size_t list_claims(const bl_score *score, claim_line lines[MOST]) {
     return count;
 }
 
-// That it is a function of the place is claimed by being a signal; more than that must be stated.
-static int states_something(const claim_line *lines, size_t count) {
-    for (size_t i = 0; i < count; i++)
-        if (strcmp(lines[i].property, "repeatable") != 0)
+// That it is a function of the place is claimed by being a signal; more than that must be stated,
+// and a grid has no values between its samples of which more could be true.
+static int states_something(const bl_signal *signal) {
+    const bl_facts *facts = &signal->facts;
+    if (isfinite(bl_score_bound(signal)) || isfinite(facts->mean) || isfinite(facts->variance) ||
+        bl_score_states_band(signal))
+        return 1;
+    if (bl_score_on_grid(signal))
+        return 0;
+    for (unsigned a = 0; a < signal->dimensions; a++)
+        if (!isnan(facts->period[a]))
             return 1;
-    return 0;
+    return facts->continuity >= -1 || facts->far > 0 || facts->stationary == 1 ||
+           facts->isotropic == 1 || signal->functions->gradient;
+}
+
+static bl_status report_nothing(bl_call *call, const bl_signal *signal) {
+    int is_program = strncmp(signal->text, "cmd:", 4) == 0;
+    return bl_report(&call->message, BL_MISMATCH,
+                     "'%s' states nothing that could be checked%s; `bandlimit score` measures it "
+                     "against the ideal",
+                     signal->text, is_program ? ": a program cannot make claims" : "");
 }
 
 static bl_status verdict_of(const claim_line *lines, size_t count) {
@@ -108,11 +126,6 @@ static bl_status write_csv(bl_call *call, const bl_scorecard *card, const claim_
 static bl_status report(bl_call *call, const bl_scorecard *card, double alpha, bl_status *verdict) {
     claim_line lines[MOST];
     size_t count = list_claims(&card->score, lines);
-    if (!states_something(lines, count))
-        return bl_report(&call->message, BL_MISMATCH,
-                         "'%s' states nothing that could be checked; `bandlimit score` measures it "
-                         "against the ideal",
-                         card->signal->text);
     *verdict = verdict_of(lines, count);
     if (bl_json_start(call))
         report_json(call->json, card, lines, count, alpha);
@@ -126,11 +139,14 @@ bl_status bl_check_claims(bl_call *call, double alpha) {
     bl_score_settings settings = bl_scorecard_settings(call, alpha, 1);
     bl_status verdict = BL_OK;
     uint64_t wanted = (UINT64_C(1) << bl_property_count()) - 1;
-    bl_progress(call, "checking the claims of %s ...", call->operands.words[0]);
     const char *text = call->operands.words[0];
+    char doing[256];
+    snprintf(doing, sizeof doing, "checking the claims of %s", text);
     bl_status status = bl_call_open(call, text, &card.signal);
+    if (status == BL_OK && !states_something(card.signal))
+        status = report_nothing(call, card.signal);
     if (status == BL_OK)
-        status = bl_scorecard_measure(call, text, &settings, wanted, &card);
+        status = bl_scorecard_measure(call, text, doing, &settings, wanted, &card);
     bl_progress(call, NULL);
     if (status == BL_OK)
         status = report(call, &card, alpha, &verdict);

@@ -86,11 +86,12 @@ static bl_status read_texts(bl_call *call, bl_words *texts) {
 
 // --- reports ---
 
+static const char *const sizes[] = {"quick", "normal", "full"};
+
 static void report_json(bl_call *call, const bl_scorecard *cards, size_t count,
                         const bl_score_settings *used, bl_status verdict) {
     const score_settings *settings = call->settings;
     json_t *rows = json_array();
-    static const char *const sizes[] = {"quick", "normal", "full"};
     bl_json_set_text(call->json, "verdict", bl_status_word(verdict));
     bl_json_set_count(call->json, "exit_status", (uint64_t)verdict);
     bl_json_set_number(call->json, "alpha", used->alpha);
@@ -138,8 +139,8 @@ static bl_status write_csv(bl_call *call, const bl_scorecard *cards, size_t coun
     if (status != BL_OK)
         return status;
     char text[128];
-    snprintf(text, sizeof text, "alpha %g, level %g, size %d, seed %llu", used->alpha, used->level,
-             used->size, (unsigned long long)used->seed);
+    snprintf(text, sizeof text, "alpha %g, level %g, size %s, seed %llu", used->alpha, used->level,
+             sizes[used->size], (unsigned long long)used->seed);
     bl_csv_comment(file.stream, "bandlimit score", BL_VERSION);
     bl_csv_comment(file.stream, "settings", text);
     fputs("signal,property,verdict,against,number,value,lower,upper,level,samples,reason\n",
@@ -196,15 +197,17 @@ static bl_status find_verdict(const bl_scorecard *cards, size_t count, int stric
 
 // All are opened before any is measured, so that a mistake in the last one is told at once. Then
 // one signal after another: each spreads its work over the threads, and nothing disturbs the clock
-// of the cost, which is measured last.
+// of the cost, which is measured last. An error in one is an error of the call: nothing is written.
 static bl_status measure_all(bl_call *call, const bl_words *texts, uint64_t wanted,
                              const bl_score_settings *used, bl_scorecard *cards) {
     bl_status status = BL_OK;
     for (size_t s = 0; s < texts->count && status == BL_OK; s++)
         status = bl_call_open(call, texts->words[s], &cards[s].signal);
     for (size_t s = 0; s < texts->count && status == BL_OK; s++) {
-        bl_progress(call, "scoring %s, %zu of %zu ...", texts->words[s], s + 1, texts->count);
-        status = bl_scorecard_measure(call, texts->words[s], used, wanted, &cards[s]);
+        char doing[256];
+        snprintf(doing, sizeof doing, "scoring %s, %zu of %zu", texts->words[s], s + 1,
+                 texts->count);
+        status = bl_scorecard_measure(call, texts->words[s], doing, used, wanted, &cards[s]);
     }
     bl_progress(call, NULL);
     return status;

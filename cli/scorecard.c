@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "cli/scorecard.h"
 
+#include <stdlib.h>
+
 #include "cli/json.h"
 
 bl_score_settings bl_scorecard_settings(const bl_call *call, double alpha, size_t table) {
@@ -33,14 +35,35 @@ static bl_status open_variants(bl_call *call, const char *text, bl_score_subject
     return BL_OK;
 }
 
-bl_status bl_scorecard_measure(bl_call *call, const char *text, const bl_score_settings *settings,
-                               uint64_t wanted, bl_scorecard *card) {
+// The values of a source that has failed are not numbers, and no property is to judge them.
+static bl_status measure_each(bl_call *call, const char *doing, const bl_score_subject *subject,
+                              const bl_score_settings *settings, uint64_t wanted, bl_score *score) {
+    bl_score *one = malloc(sizeof *one);
+    bl_status status = one ? bl_score_measure(subject, settings, 0, score, &call->message)
+                           : bl_report(&call->message, BL_DEVICE, "out of memory");
+    for (size_t i = 0; i < bl_property_count() && status == BL_OK; i++) {
+        bl_message complaint;
+        if (!(wanted >> i & 1))
+            continue;
+        bl_progress(call, "%s: %s ...", doing, bl_property_at(i)->name);
+        status = bl_score_measure(subject, settings, UINT64_C(1) << i, one, &call->message);
+        score->properties[i] = one->properties[i];
+        if (bl_signal_complaint(subject->signal, &complaint) == BL_DEVICE)
+            status = bl_report(&call->message, BL_DEVICE, "%s", complaint.text);
+    }
+    free(one);
+    return status;
+}
+
+bl_status bl_scorecard_measure(bl_call *call, const char *text, const char *doing,
+                               const bl_score_settings *settings, uint64_t wanted,
+                               bl_scorecard *card) {
     bl_signal *variants[BL_SCORE_VARIANTS] = {NULL};
     bl_score_subject subject = {0};
     subject.signal = card->signal;
     bl_status status = open_variants(call, text, &subject, variants);
     if (status == BL_OK)
-        status = bl_score_measure(&subject, settings, wanted, &card->score, &call->message);
+        status = measure_each(call, doing, &subject, settings, wanted, &card->score);
     for (size_t v = 0; v < subject.variant_count; v++)
         bl_signal_free(variants[v]);
     return status;

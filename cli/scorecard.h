@@ -18,9 +18,12 @@ typedef struct bl_scorecard {
 bl_score_settings bl_scorecard_settings(const bl_call *call, double alpha, size_t table);
 
 // Measures the properties in `wanted` of the card's signal, which the caller has opened by this
-// text (bl_call_open), beside the same noise for the other instruction sets that run here.
-bl_status bl_scorecard_measure(bl_call *call, const char *text, const bl_score_settings *settings,
-                               uint64_t wanted, bl_scorecard *card);
+// text (bl_call_open), beside the same noise for the other instruction sets that run here. Progress
+// says `doing` and the property. Ends at the first property in which a source failed, with its
+// error.
+bl_status bl_scorecard_measure(bl_call *call, const char *text, const char *doing,
+                               const bl_score_settings *settings, uint64_t wanted,
+                               bl_scorecard *card);
 void bl_scorecard_free(bl_scorecard *card);
 
 // {"verdict": ..., "against": ..., "reason": ..., "cell": ..., "claims": [...], "numbers": {...}}

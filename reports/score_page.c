@@ -50,7 +50,8 @@ static void put_entry(FILE *out, const bl_score_property *result) {
 static void put_table(FILE *out, const bl_score_view *views, size_t count) {
     fputs("<div class=\"scroll\"><table class=\"score\">\n<thead><tr><th>signal</th>", out);
     for (size_t i = 0; i < bl_property_count(); i++) {
-        bl_html_tagged(out, "<th title=\"", bl_property_at(i)->question, "\">");
+        bl_html_tagged(out, "<th title=\"", bl_property_at(i)->question, " ");
+        bl_html_tagged(out, "In the column: ", bl_property_at(i)->entry, "\">");
         bl_html_tagged(out, "", bl_property_at(i)->title, "</th>");
     }
     fputs("</tr></thead>\n<tbody>\n", out);
@@ -144,7 +145,9 @@ static void put_guide(FILE *out, const bl_score_settings *settings) {
             1 / settings->alpha);
     for (size_t i = 0; i < bl_property_count(); i++) {
         bl_html_tagged(out, "<dt>", bl_property_at(i)->title, "</dt>");
-        bl_html_tagged(out, "<dd>", bl_property_at(i)->question, "</dd>\n");
+        bl_html_tagged(out, "<dd>", bl_property_at(i)->question, " ");
+        bl_html_tagged(out, "<span class=\"soft\">In the column: ", bl_property_at(i)->entry,
+                       ".</span></dd>\n");
     }
     fputs("</dl>\n", out);
 }

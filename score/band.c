@@ -12,13 +12,17 @@
 // one-sided limits at the property's share of alpha. A leak that is stated fails where the lower
 // limit lies above it. It is a number, not a budget: one that is exactly right lies between the
 // limits however many averages there are, so it passes where the upper limit is less than 1 dB
-// above it, and is inconclusive else. Without a claim the ideal asks for at most -30 dB above 1
-// cycle per unit, as a budget: pass needs the upper limit below it.
+// above it, and is inconclusive else. A band that is stated is always the one that is judged. Of
+// one without a number the leak has a budget, which pass needs the upper limit to keep: -30 dB
+// where none is stated; where it states no leak at all, or less than arithmetic can show, -80 dB,
+// the floor: a line at the very edge of the band leaves 10^-9 of its power in the side lobes of the
+// window, and float rows round at 10^-11 of the variance or less. Without a band the ideal asks for
+// at most -30 dB above 1 cycle per unit, as a budget too.
 #include <math.h>
 #include <stdio.h>
 
+#include "score/places.h"
 #include "score/sampling.h"
-#include "score/score.h"
 #include "spectra/psd.h"
 
 static const double CLAIM_MARGIN_DB = 1;
@@ -27,7 +31,7 @@ static const double SMOOTHING = 0.05; // cycles per unit each way
 // at the edge; and the lines are short, because all of a line shares its place in the cell, so that
 // only fresh lines tell more.
 static const double LENGTH = 128;
-static const double IDEAL_TO = 1, IDEAL_LEAK_DB = -30;
+static const double IDEAL_TO = 1, IDEAL_LEAK_DB = -30, FLOOR_DB = -80;
 
 typedef struct direction {
     const char *above, *middle, *leak;
@@ -142,26 +146,43 @@ static void add_numbers(bl_score_property *result, const direction *names, bl_ps
 
 typedef struct band_claim {
     double from, to, leak_db;
+    double margin_db; // above leak_db that still passes
     bl_score_against against;
+    const char *what; // leak_db is
 } band_claim;
 
 static band_claim claim_of(const bl_signal *signal) {
     const bl_facts *facts = &signal->facts;
-    if (isfinite(facts->band_to) && isfinite(facts->leak_db))
-        return (band_claim){isfinite(facts->band_from) ? facts->band_from : 0, facts->band_to,
-                            facts->leak_db, BL_AGAINST_CLAIM};
-    return (band_claim){0, IDEAL_TO, IDEAL_LEAK_DB, BL_AGAINST_IDEAL};
+    if (!bl_score_states_band(signal))
+        return (band_claim){0, IDEAL_TO, IDEAL_LEAK_DB, 0, BL_AGAINST_IDEAL, "the ideal is"};
+    band_claim claim = {isfinite(facts->band_from) ? facts->band_from : 0,
+                        isnan(facts->band_to) ? INFINITY : facts->band_to,
+                        facts->leak_db,
+                        CLAIM_MARGIN_DB,
+                        BL_AGAINST_CLAIM,
+                        "the claim is"};
+    if (isnan(facts->leak_db)) {
+        claim.leak_db = IDEAL_LEAK_DB;
+        claim.margin_db = 0;
+        claim.what = "the claim is this band without a leak, judged by the ideal leak of";
+    } else if (facts->leak_db < FLOOR_DB) {
+        claim.leak_db = FLOOR_DB;
+        claim.margin_db = 0;
+        claim.what = isinf(facts->leak_db)
+                         ? "the claim is no leak at all, and the floor of window and arithmetic is"
+                         : "the claim is less than the floor of window and arithmetic, which is";
+    }
+    return claim;
 }
 
 static void judge_leak(bl_score_property *result, const bl_psd *psd, const band_claim *claim,
                        bl_band_limit *limit) {
-    int claimed = claim->against == BL_AGAINST_CLAIM;
-    double passes = claim->leak_db + (claimed ? CLAIM_MARGIN_DB : 0);
+    double passes = claim->leak_db + claim->margin_db;
     bl_score_verdict verdict = limit->lower_db > claim->leak_db ? BL_SCORE_FAIL
                                : limit->upper_db <= passes      ? BL_SCORE_PASS
                                                                 : BL_SCORE_INCONCLUSIVE;
     char settle[80] = "";
-    if (verdict == BL_SCORE_INCONCLUSIVE && claimed)
+    if (verdict == BL_SCORE_INCONCLUSIVE && claim->margin_db > 0)
         snprintf(settle, sizeof settle, "; it passes below %.4g dB: take more averages", passes);
     else if (verdict == BL_SCORE_INCONCLUSIVE && limit->needed_averages)
         snprintf(settle, sizeof settle, "; about %zu averages would settle it",
@@ -170,10 +191,9 @@ static void judge_leak(bl_score_property *result, const bl_psd *psd, const band_
              limit->leak_db);
     bl_score_judge(result, verdict, claim->against,
                    "%.4g dB of the variance outside of %.4g to %.4g cycles per unit along x (%.4g "
-                   "to %.4g from %zu averages), %s is %.4g dB%s",
+                   "to %.4g from %zu averages), %s %.4g dB%s",
                    limit->leak_db, limit->from, limit->to, limit->lower_db, limit->upper_db,
-                   psd->settings.averages, claimed ? "the claim" : "the ideal", claim->leak_db,
-                   settle);
+                   psd->settings.averages, claim->what, claim->leak_db, settle);
 }
 
 static void judge(bl_score_property *result, bl_psd *psd, const band_claim *claim, double alpha) {
@@ -196,6 +216,11 @@ static void judge(bl_score_property *result, bl_psd *psd, const band_claim *clai
     judge_leak(result, psd, claim, &limit);
 }
 
+int bl_score_states_band(const bl_signal *signal) {
+    const bl_facts *facts = &signal->facts;
+    return isfinite(facts->band_to) || facts->band_from > 0;
+}
+
 static int has_way(const bl_signal *signal, way which) {
     if (which == ALONG_X)
         return 1;
@@ -206,6 +231,9 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
                          bl_score_property *result, bl_message *message) {
     const bl_signal *signal = subject->signal;
     band_claim claim = claim_of(signal);
+    bl_score_judge(result, BL_SCORE_NOT_RUN, claim.against, "nothing was measured");
+    if (!bl_score_varies(signal, settings, result))
+        return BL_OK;
     for (way which = ALONG_X; which < WAYS; which++) {
         bl_message own = {""};
         bl_psd psd;
@@ -234,6 +262,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(band) = {
     .name = "band",
     .title = "band",
+    .entry = "the leak outside of the band along x, dB of the variance",
     .question = "Is it limited to a band, and how much of its variance lies outside?",
     .measure = measure,
 };

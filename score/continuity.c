@@ -287,6 +287,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(continuity) = {
     .name = "continuity",
     .title = "continuity",
+    .entry = "the class, C0 and up (C2+: 2 or more), or the largest jump",
     .question = "Does the value, or a derivative of it, jump?",
     .measure = measure,
 };

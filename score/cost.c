@@ -108,6 +108,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(cost) = {
     .name = "cost",
     .title = "cost",
+    .entry = "time a sample of a row; not judged",
     .question = "What does a sample cost on this machine?",
     .measure = measure,
 };

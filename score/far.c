@@ -4,12 +4,13 @@
 //
 // In one cell at each power of ten from 10^3 to 10^15 (and at 2^31 and 2^53) along each axis, 256
 // places are sampled. Of the coordinates that a double tells apart there, how many give different
-// values, and how many did in a cell near 0? Float points are compared with the reference at the
+// numbers, and how many did in a cell near 0? Float points are compared with the reference at the
 // same coordinates. And the variance over fresh seeds and places near 10^6 is compared with that
 // near 0. NaN and infinite coordinates must give NaN.
 //
 // Judged against facts.far, where it is stated: values stay distinct, by nine tenths of what they
 // are near 0, in every cell up to a quarter of it. Else against the ideal: by one half up to 10^6.
+// A value that is not a number is none of the distinct ones, so the reach ends where they end.
 // In both cases the variance near 10^6 must be within 20 % of that near 0; its test, Student's t
 // over batches of a fresh seed each, has the whole alpha.
 #include "score/places.h"
@@ -48,10 +49,13 @@ static int ascending(const void *a, const void *b) {
 
 static size_t count_distinct(const double *values, size_t count) {
     double sorted[PLACES];
-    size_t distinct = count > 0;
-    memcpy(sorted, values, count * sizeof *values);
-    qsort(sorted, count, sizeof *sorted, ascending);
-    for (size_t i = 1; i < count; i++)
+    size_t finite = 0;
+    for (size_t i = 0; i < count; i++)
+        if (isfinite(values[i]))
+            sorted[finite++] = values[i];
+    size_t distinct = finite > 0;
+    qsort(sorted, finite, sizeof *sorted, ascending);
+    for (size_t i = 1; i < finite; i++)
         distinct += sorted[i] != sorted[i - 1];
     return distinct;
 }
@@ -162,12 +166,13 @@ static int gives_nan(const bl_signal *signal, const bl_score_look *look) {
 typedef struct summary {
     double share[SCALES + 2], error[SCALES + 2]; // share: over that near 0
     double lost;                                 // the first power of ten with too few, or 0
+    double reach;                                // the last of those with half, from 10^2 on
     int is_finite;
 } summary;
 
 static summary summarise(const bl_signal *signal, const bl_score_settings *settings,
                          const bl_score_look *look, double least, double limit) {
-    summary s = {.is_finite = 1};
+    summary s = {.is_finite = 1, .reach = 100};
     view views[SCALES + 2 + NEAR][BL_AXES];
     unsigned axes = look->dimensions, count = (SCALES + 2 + NEAR) * axes;
 #pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)
@@ -191,31 +196,35 @@ static summary summarise(const bl_signal *signal, const bl_score_settings *setti
         }
         if (i < SCALES && scale_of((int)i) <= limit && s.share[i] < least && s.lost == 0)
             s.lost = scale_of((int)i);
+        if (i < SCALES && s.share[i] >= 0.5 && s.reach * 10 >= scale_of((int)i) * (1 - 1e-9))
+            s.reach = scale_of((int)i);
     }
     return s;
 }
 
 static void add_numbers(const summary *s, bl_score_property *result) {
-    double reach = 100;
     for (int i = 0; i < SCALES + 2; i++) {
         bl_score_add_seen(result, share_names[i], s->share[i]);
         bl_score_add_seen(result, error_names[i], s->error[i]);
-        if (i < SCALES && s->share[i] >= 0.5 && reach * 10 >= scale_of(i) * (1 - 1e-9))
-            reach = scale_of(i);
     }
-    bl_score_add_seen(result, "half_distinct_up_to", reach);
-    snprintf(result->cell, sizeof result->cell, "%.0e", reach);
+    bl_score_add_seen(result, "half_distinct_up_to", s->reach);
+    snprintf(result->cell, sizeof result->cell, "%.0e", s->reach);
 }
 
 static void judge(const bl_signal *signal, const summary *s, double limit, int is_nan,
                   const bl_estimate *ratio, bl_score_property *result) {
     bl_score_against against = signal->facts.far > 0 ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL;
+    const char *wish = against == BL_AGAINST_CLAIM ? "stated" : "wanted";
     if (s->lost > 0)
         bl_score_judge(result, BL_SCORE_FAIL, against,
-                       "at %.0e the values in a cell are no longer distinct; %s to %.3g", s->lost,
-                       against == BL_AGAINST_CLAIM ? "stated" : "wanted", limit);
+                       "half of the values in a cell are distinct numbers up to %.0e; at %.0e too "
+                       "few are, and %s is %.3g",
+                       s->reach, s->lost, wish, limit);
     else if (!s->is_finite)
-        bl_score_judge(result, BL_SCORE_FAIL, against, "values are not finite below %.3g", limit);
+        bl_score_judge(result, BL_SCORE_FAIL, against,
+                       "half of the values in a cell are distinct numbers up to %.0e, but some "
+                       "below %.3g are not finite, and %s is %.3g",
+                       s->reach, limit, wish, limit);
     else if (!is_nan)
         bl_score_judge(result, BL_SCORE_FAIL, against,
                        "a coordinate that is NaN or infinite does not give NaN");
@@ -224,9 +233,9 @@ static void judge(const bl_signal *signal, const summary *s, double limit, int i
                        "the variance near 1e6 is %.3g times that near 0", ratio->value);
     else
         bl_score_judge(result, BL_SCORE_PASS, against,
-                       "values stay distinct up to %.3g, and the variance near 1e6 is %.3g times "
-                       "that near 0",
-                       limit, ratio->value);
+                       "values stay distinct numbers up to %.0e (%s: %.3g), and the variance near "
+                       "1e6 is %.3g times that near 0",
+                       s->reach, wish, limit, ratio->value);
 }
 
 static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
@@ -234,7 +243,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     const bl_signal *signal = subject->signal;
     bl_score_look look;
     bl_estimate shown = {.value = NAN}, judged = shown;
-    if (!bl_score_look_at(subject, settings, result, &look))
+    if (!bl_score_look_at(subject, settings, result, &look) ||
+        !bl_score_varies(signal, settings, result))
         return BL_OK;
     int is_stated = signal->facts.far > 0;
     double limit = is_stated ? signal->facts.far / 4 : FAR_PLACE;
@@ -250,6 +260,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(far) = {
     .name = "far",
     .title = "far",
+    .entry = "the coordinate up to which half of the values in a cell are distinct numbers",
     .question = "Is the noise as good at large coordinates as near 0?",
     .measure = measure,
 };

@@ -129,6 +129,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(gradient) = {
     .name = "gradient",
     .title = "gradient",
+    .entry = "the median error, of the size of the gradient",
     .question = "Is the analytic gradient the derivative?",
     .measure = measure,
 };

@@ -287,7 +287,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
                          bl_score_property *result, bl_message *message) {
     const bl_signal *signal = subject->signal;
     bl_score_look look;
-    if (!bl_score_look_at(subject, settings, result, &look))
+    if (!bl_score_look_at(subject, settings, result, &look) ||
+        !bl_score_varies(signal, settings, result))
         return BL_OK;
     if (look.dimensions < 2) {
         bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
@@ -324,7 +325,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 
 BL_PROPERTY_DESCRIPTOR(isotropy) = {
     .name = "isotropy",
-    .title = "isotropic",
+    .title = "isotropy",
+    .entry = "power near the axes over that near the diagonals, above 1 cycle a cell",
     .question = "Does the spectrum have no direction?",
     .measure = measure,
 };

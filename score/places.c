@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-enum { LOOKS = 1024 };
+enum { LOOKS = 1024, FRESH = 9, FRESH_LOOKS = 32 };
 
 bl_random bl_score_random(const bl_score_settings *settings, unsigned property, uint64_t stream) {
     return bl_random_seed(settings->seed, ((uint64_t)property << 24) + stream);
@@ -43,11 +43,58 @@ int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *s
     look->range = upper - lower;
     look->deviation = sqrt(bl_moments_variance(&moments));
     if (look->range <= 0) {
-        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "the signal is the constant %g",
-                       lower);
+        if (bl_score_varies(signal, settings, result))
+            bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+                           "the signal is the constant %g", lower);
         return 0;
     }
     return 1;
+}
+
+// Whether the values near 0 are all the same number, which is left in *value.
+static int is_constant(const bl_signal *signal, double cell, bl_random *random, double *value) {
+    double column[BL_AXES][FRESH_LOOKS];
+    float values[FRESH_LOOKS];
+    for (int i = 0; i < FRESH_LOOKS; i++)
+        for (int a = 0; a < BL_AXES; a++)
+            column[a][i] = cell * 16 * (bl_random_unit(random) - 0.5);
+    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
+                     FRESH_LOOKS, values);
+    *value = (double)values[0];
+    for (int i = 1; i < FRESH_LOOKS; i++)
+        if (!(values[i] == values[0])) // NaN is no constant
+            return 0;
+    return 1;
+}
+
+int bl_score_varies(const bl_signal *signal, const bl_score_settings *settings,
+                    bl_score_property *result) {
+    double cell = signal->facts.cell > 0 ? signal->facts.cell : 1, first = NAN;
+    int constant = 0, differs = 0;
+    if (signal->seed_offset == SIZE_MAX || signal->extent.size[0])
+        return 1;
+    for (int i = 0; i < FRESH; i++) {
+        bl_random random = bl_score_random(settings, BL_SCORE_STREAM_FRESH, (uint64_t)i);
+        bl_signal *fresh = bl_signal_reseed(signal, bl_random_bits(&random));
+        double value;
+        if (!fresh)
+            return 1;
+        if (is_constant(fresh, cell, &random, &value)) {
+            constant++;
+            differs |= value != first && !isnan(first);
+            first = value;
+        }
+        bl_signal_free(fresh);
+        if (i == 2 && !constant) // the usual case, at the cost of three looks
+            return 1;
+    }
+    if (2 * constant < FRESH || !differs)
+        return 1;
+    bl_score_judge(result, BL_SCORE_NOT_RUN, result->against,
+                   "constant for each seed: of %d seeds of 64 bits, %d have one value within "
+                   "eight cells of the origin",
+                   FRESH, constant);
+    return 0;
 }
 
 void bl_score_not_finite(bl_score_property *result) {

@@ -24,7 +24,8 @@ enum {
     BL_SCORE_STREAM_CONTINUITY,
     BL_SCORE_STREAM_SEEDS,
     BL_SCORE_STREAM_FAR,
-    BL_SCORE_STREAM_GRADIENT
+    BL_SCORE_STREAM_GRADIENT,
+    BL_SCORE_STREAM_FRESH
 };
 bl_random bl_score_random(const bl_score_settings *settings, unsigned property, uint64_t stream);
 
@@ -39,6 +40,12 @@ typedef struct bl_score_look {
 // the reason: the signal has a grid, is constant, or has a value that is not finite.
 int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *settings,
                      bl_score_property *result, bl_score_look *look);
+
+// Looks at signals of fresh seeds, which most properties draw. Returns 0 where most of them have
+// one value within eight cells, and judges "not run", against what the result is, with the reason:
+// a seed that is added to a coordinate leaves no digits to it.
+int bl_score_varies(const bl_signal *signal, const bl_score_settings *settings,
+                    bl_score_property *result);
 
 // Judges "not run" for a signal whose values were not finite somewhere.
 void bl_score_not_finite(bl_score_property *result);

@@ -15,7 +15,8 @@
 // inconclusive where the interval shown is wider than a quarter of the standard deviation or of the
 // variance each way: agreement would say nothing.
 //
-// Without a stated bound the ideal asks for [-1, 1].
+// Without a stated bound the ideal asks for [-1, 1]. That it has values is what every signal
+// claims, so that one that is not finite fails against the claim.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -320,13 +321,15 @@ static void judge_bound(bl_score_property *result, const bl_signal *signal, cons
 }
 
 // A stated number against the interval at the test's level; `scale` says what is precise enough.
+// It misses a correct number with the probability `missed`.
 static void judge_number(bl_score_property *result, const char *name, double stated,
-                         const bl_estimate *shown, const bl_estimate *test, double scale) {
+                         const bl_estimate *shown, const bl_estimate *test, double missed,
+                         double scale) {
     double half = 0.5 * (shown->upper - shown->lower);
     if (!(stated >= test->lower && stated <= test->upper))
         bl_score_add_claim(result, name, BL_SCORE_FAIL,
-                           "%s %.6g is not the stated %.6g (%.6g to %.6g at the level %.3g)", name,
-                           shown->value, stated, test->lower, test->upper, test->level);
+                           "%s %.6g is not the stated %.6g (%.6g to %.6g at the level 1 - %.2g)",
+                           name, shown->value, stated, test->lower, test->upper, missed);
     else if (!(half <= COARSEST * scale))
         bl_score_add_claim(result, name, BL_SCORE_INCONCLUSIVE,
                            "%s %.6g +- %.2g is too coarse to judge the stated %.6g by", name,
@@ -338,7 +341,8 @@ static void judge_number(bl_score_property *result, const char *name, double sta
 }
 
 // All claims, or the ideal where nothing is claimed.
-static void judge(bl_score_property *result, const bl_signal *signal, const findings *found) {
+static void judge(bl_score_property *result, const bl_signal *signal, const findings *found,
+                  double missed) {
     const bl_facts *facts = &signal->facts;
     double size = fmax(fabs(found->low.value), fabs(found->high.value));
     int bounded = isfinite(bl_score_bound(signal));
@@ -347,11 +351,11 @@ static void judge(bl_score_property *result, const bl_signal *signal, const find
     if (bounded)
         judge_bound(result, signal, found);
     if (isfinite(facts->mean))
-        judge_number(result, "mean", facts->mean, &found->mean, &found->mean_test,
+        judge_number(result, "mean", facts->mean, &found->mean, &found->mean_test, missed,
                      sqrt(found->variance.value));
     if (isfinite(facts->variance))
         judge_number(result, "variance", facts->variance, &found->variance, &found->variance_test,
-                     found->variance.value);
+                     missed, found->variance.value);
     const bl_score_claim *worst = NULL;
     for (size_t i = 0; i < result->claim_count; i++)
         if (!worst || bl_score_worse(result->claims[i].verdict, worst->verdict) != worst->verdict)
@@ -368,8 +372,6 @@ static void judge(bl_score_property *result, const bl_signal *signal, const find
 static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
                          bl_score_property *result, bl_message *message) {
     const bl_signal *signal = subject->signal;
-    bl_score_against against =
-        isfinite(bl_score_bound(signal)) ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL;
     findings found = {0};
     bl_message own = {""};
     bl_status status = bl_score_on_grid(signal) ? look_on_grid(signal, settings, &found, &own)
@@ -377,20 +379,21 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     if (status == BL_DEVICE)
         return bl_report(message, status, "%s", own.text);
     if (status != BL_OK) // of a grid: what is not finite, with its place
-        bl_score_judge(result, BL_SCORE_FAIL, against, "%s", own.text);
+        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_CLAIM, "%s", own.text);
     else if (found.broken)
-        bl_score_judge(result, BL_SCORE_FAIL, against, "the value at %s is not finite",
+        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_CLAIM, "the value at %s is not finite",
                        bl_score_place_text(signal, found.low.at).text);
     if (status != BL_OK || found.broken)
         return BL_OK;
     add_numbers(result, signal, &found);
-    judge(result, signal, &found);
+    judge(result, signal, &found, 0.5 * settings->alpha);
     return BL_OK;
 }
 
 BL_PROPERTY_DESCRIPTOR(range) = {
     .name = "range",
     .title = "range",
+    .entry = "the share of the stated range that was found; without one the largest size",
     .question = "Is the range known, and do values, mean and variance keep to what is stated?",
     .measure = measure,
 };

@@ -14,7 +14,7 @@
 // function exceeds, and the largest difference is reported.
 //
 // That it is a function of the place is what every signal claims (core/signal.h), so the verdict is
-// against the claim.
+// against the claim; and a signal that has no numbers near the origin is none, and fails.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,7 +44,9 @@ typedef struct trial {
     double row_error, point_error, route_error, largest; // of all questions
     double row_error_at[BL_AXES];
     size_t compared;
+    int is_near;          // the questions are near the origin
     char difference[300]; // "" while there is none
+    char hole[160];       // the first place near the origin whose value is not finite
 } trial;
 
 static void ask(const bl_signal *signal, const question *q, size_t from, size_t count, float *out) {
@@ -146,6 +148,9 @@ static void find_errors(trial *t, const question *q) {
         const double at[BL_AXES] = {q->at[0][i], q->at[1][i], q->at[2][i], q->at[3][i]};
         double own = t->answer[i], route = difference_of(own, t->again[i]);
         t->largest = fmax(t->largest, isfinite(own) ? fabs(own) : 0);
+        if (t->is_near && !isfinite(own) && !t->hole[0])
+            snprintf(t->hole, sizeof t->hole, "%s",
+                     bl_score_place_text(t->subject->signal, at).text);
         if (i < REFERENCES)
             *error = fmax(*error, difference_of(own, bl_signal_value(t->subject->signal, at)));
         if (route > t->route_error)
@@ -247,6 +252,7 @@ static size_t try_scales(trial *t) {
         if (s > 0 && (bl_score_on_grid(signal) || fabs(bases[s]) > far))
             continue;
         scales++;
+        t->is_near = s == 0;
         if (try_points(t, bases[s], count, &random)) {
             if (bl_score_on_grid(signal))
                 try_grid_rows(t, count, &random);
@@ -268,6 +274,12 @@ static void judge(trial *t, size_t scales, bl_score_property *result) {
     if (t->difference[0]) {
         snprintf(result->cell, sizeof result->cell, "differs");
         bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_CLAIM, "%s", t->difference);
+        return;
+    }
+    if (t->hole[0]) {
+        snprintf(result->cell, sizeof result->cell, "no number");
+        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_CLAIM,
+                       "it is no signal: the value at %s is not finite", t->hole);
         return;
     }
     bl_score_add_seen(result, "error_of_rows", t->row_error);
@@ -316,6 +328,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(repeatable) = {
     .name = "repeatable",
     .title = "repeatable",
+    .entry = "the largest difference of rows and points from the double reference",
     .question = "Does it give the same value for the same place, however it is asked?",
     .measure = measure,
 };

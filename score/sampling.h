@@ -13,6 +13,9 @@ int bl_score_on_grid(const bl_signal *signal);
 // A random place: a sample of the grid, or uniform in +-reach on every axis.
 void bl_score_place(const bl_signal *signal, double reach, bl_random *random, double at[BL_AXES]);
 
+// Whether it states a band, with a leak or without.
+int bl_score_states_band(const bl_signal *signal);
+
 // "(0.25, -3, 7.125)": the coordinates that the signal has, with all their digits.
 typedef struct bl_score_text {
     char text[128];

@@ -82,6 +82,7 @@ typedef struct bl_score_settings {
 typedef struct bl_property {
     const char *name;     // the JSON key: "isotropy"
     const char *title;    // the column of the table: "isotropy"
+    const char *entry;    // what stands in that column: "the shortest repeat, in units"
     const char *question; // what it asks, in one sentence
     // Fills the result, which comes zeroed with verdict BL_SCORE_NOT_RUN. Errors only where nothing
     // could be measured at all (BL_DEVICE out of memory); a signal that cannot be judged is "not

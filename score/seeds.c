@@ -261,6 +261,9 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(seeds) = {
     .name = "seeds",
     .title = "seeds",
+    .entry =
+        "|r|, the largest correlation of seeds that differ by a bit or by 1 or 2; dead: bits of "
+        "the seed that do nothing",
     .question = "Does every bit of the seed count, and are neighbouring seeds unrelated?",
     .measure = measure,
 };

@@ -273,7 +273,8 @@ static void judge(const survey *s, const batch *b, size_t count, const bl_score_
 static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
                          bl_score_property *result, bl_message *message) {
     bl_score_look look;
-    if (!bl_score_look_at(subject, settings, result, &look))
+    if (!bl_score_look_at(subject, settings, result, &look) ||
+        !bl_score_varies(subject->signal, settings, result))
         return BL_OK;
     size_t count = (size_t)bl_score_pick(settings, 384, 1536, 16384);
     survey s = survey_of(subject->signal, &look);
@@ -294,7 +295,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 
 BL_PROPERTY_DESCRIPTOR(stationarity) = {
     .name = "stationarity",
-    .title = "stationary",
+    .title = "stationarity",
+    .entry = "the largest variance at a place of the cell over the smallest",
     .question = "Are mean and variance the same everywhere in the cell?",
     .measure = measure,
 };

@@ -6,6 +6,7 @@
 #include <jansson.h>
 #include <unistd.h>
 
+#include "score/score.h"
 #include "tests/program.h"
 
 // Fails unless the program ends so and says that.
@@ -108,17 +109,70 @@ static void test_strict_counts_the_ideal(void **state) {
     unlink(image);
 }
 
+// Runs a table of so many columns; no line is longer, unless a word is, and none ends with a blank.
+static bl_ran run_table(int width, const char *const *words) {
+    char columns[16];
+    snprintf(columns, sizeof columns, "%d", width);
+    assert_int_equal(width ? setenv("COLUMNS", columns, 1) : unsetenv("COLUMNS"), 0);
+    bl_ran ran = bl_run_words(NULL, words);
+    unsetenv("COLUMNS");
+    char *copy = strdup(ran.out);
+    for (char *rest = NULL, *line = strtok_r(copy, "\n", &rest); line;
+         line = strtok_r(NULL, "\n", &rest)) {
+        size_t length = strlen(line), most = width ? (size_t)width : 120;
+        if (length > most && strspn(line, " ") + strcspn(line + strspn(line, " "), " ") < length)
+            fail_msg("'%s' is longer than %zu", line, most);
+        if (length && line[length - 1] == ' ')
+            fail_msg("'%s' ends with a blank", line);
+    }
+    free(copy);
+    assert_null(strchr(ran.out, '\033')); // no terminal, no colours
+    return ran;
+}
+#define RUN_TABLE(width, ...) run_table(width, (const char *const[]){__VA_ARGS__, NULL})
+
 static void test_the_table_fits_a_terminal(void **state) {
     (void)state;
-    bl_ran ran = bl_run_program("score", "gnoise", "scnoise:impulses=3,seed=18446744073709551615",
-                                "--quick");
-    assert_non_null(strstr(ran.out, "repeatable"));
-    for (char *rest = NULL, *line = strtok_r(ran.out, "\n", &rest); line && *line != ' ';
-         line = strtok_r(NULL, "\n", &rest))
-        if (strlen(line) > 120)
-            fail_msg("'%s' is longer than 120", line);
-    assert_null(strchr(ran.out, '\033')); // no terminal, no colours
+    static const int widths[] = {0, 60, 80, 300};
+    for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
+        bl_ran ran =
+            RUN_TABLE(widths[i], "score", "gnoise", "scnoise:impulses=3,seed=18446744073709551615",
+                      "--quick", "--skip", "continuity");
+        for (size_t k = 0; k < bl_property_count(); k++)
+            if (strcmp(bl_property_at(k)->name, "continuity") != 0)
+                assert_non_null(strstr(ran.out, bl_property_at(k)->name));
+        bl_ran_free(&ran);
+    }
+}
+
+static void test_columns_that_are_shown_are_explained(void **state) {
+    (void)state;
+    bl_ran ran = RUN_TABLE(0, "score", "gnoise", "--quick", "--only", "stationarity,far,period");
+    static const char *const shown[] = {"stationarity", "far", "period"};
+    for (size_t i = 0; i < sizeof shown / sizeof *shown; i++) {
+        char line[256];
+        snprintf(line, sizeof line, "\n  %s: %s\n", shown[i], bl_property_find(shown[i])->entry);
+        if (!strstr(ran.out, line))
+            fail_msg("no line '%s' in %s", line, ran.out);
+    }
+    assert_null(strstr(ran.out, bl_property_find("band")->entry));
+    assert_non_null(strstr(ran.out, "fail* inf dB")); // vertices, against the ideal
+    assert_non_null(strstr(ran.out, "* against the ideal"));
     bl_ran_free(&ran);
+    ran = RUN_TABLE(0, "score", "gnoise", "--quick", "--only", "range");
+    assert_null(strchr(ran.out, '*')); // nothing that it would mark
+    bl_ran_free(&ran);
+}
+
+static void test_a_source_that_fails_is_an_error(void **state) {
+    (void)state;
+    const char *build = getenv("BL_BUILD"), *data = bl_test_path("failed.csv");
+    char text[300];
+    snprintf(text, sizeof text, "cmd:%s/tests/plugins/child 2die", build ? build : "build");
+    EXPECT(4, text, "score", "gnoise", text, "--quick", "-o", data);
+    assert_int_not_equal(access(data, F_OK), 0);
+    // That a program claims nothing is known before it is asked for anything.
+    EXPECT(3, "a program cannot make claims", "check", text, "--claims");
 }
 
 static void test_numbers_go_to_a_file_or_a_page(void **state) {
@@ -130,6 +184,7 @@ static void test_numbers_go_to_a_file_or_a_page(void **state) {
                            "\nsignal,property,verdict,against,number,value,lower,upper,"
                            "level,samples,reason\n"));
     assert_non_null(strstr(text, "\ngnoise,range,pass,claim,variance,0.03"));
+    assert_non_null(strstr(text, "size quick,"));
     free(text);
     EXPECT(0, "", "score", "gnoise", "--quick", "--only", "range", "-o", page);
     text = bl_test_read(page);
@@ -174,15 +229,34 @@ static void test_a_signal_that_states_nothing_has_no_claims(void **state) {
     unlink(image);
 }
 
+static void test_claims_refuse_what_says_nothing_to_them(void **state) {
+    (void)state;
+    static const char *const refused[] = {
+        "--band=0:1", "--leak=-20",  "--guard=0.1",   "--dims=2",    "--rate=8",      "--size=64",
+        "--axis=y",   "--average=8", "--window=hann", "--level=0.9", "--place=random"};
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
+        char says[64];
+        snprintf(says, sizeof says, "%.*s says nothing to --claims", (int)strcspn(refused[i], "="),
+                 refused[i]);
+        EXPECT(64, says, "check", "gnoise", refused[i], "--claims", "--quick");
+    }
+    EXPECT(64, "--band says nothing", "check", "gnoise", "--claims", "--band", "0:1");
+    EXPECT(0, "verdict", "check", "white", "--claims", "--quick", "--alpha", "1e-9", "--seed", "3",
+           "--threads", "2", "--json");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_object_has_a_row_a_signal_and_a_key_a_property),
         cmocka_unit_test(test_properties_are_chosen_by_name),
         cmocka_unit_test(test_strict_counts_the_ideal),
         cmocka_unit_test(test_the_table_fits_a_terminal),
+        cmocka_unit_test(test_columns_that_are_shown_are_explained),
+        cmocka_unit_test(test_a_source_that_fails_is_an_error),
         cmocka_unit_test(test_numbers_go_to_a_file_or_a_page),
         cmocka_unit_test(test_claims_are_checked_a_line_a_claim),
         cmocka_unit_test(test_a_signal_that_states_nothing_has_no_claims),
+        cmocka_unit_test(test_claims_refuse_what_says_nothing_to_them),
     };
     bl_set_filter();
     return cmocka_run_group_tests(tests, NULL, bl_remove_folder);

@@ -212,6 +212,61 @@ static void test_what_cannot_be_judged_is_not_run(void **state) {
     check_not_run(bl_test_white_image(1, 64, 64, 0.25));
 }
 
+// gnoise that has no values beyond a coordinate.
+typedef struct fenced {
+    const bl_signal *inner;
+    double fence;
+} fenced;
+
+static double fenced_value(const void *parameters, const double at[BL_AXES]) {
+    const fenced *f = parameters;
+    return at[0] > f->fence ? NAN : bl_signal_value(f->inner, at);
+}
+
+static void fenced_points(const void *parameters, const double *const at[BL_AXES], size_t count,
+                          float *out) {
+    const fenced *f = parameters;
+    bl_signal_points(f->inner, at, count, out);
+    for (size_t i = 0; i < count; i++)
+        out[i] = at[0][i] > f->fence ? NAN : out[i];
+}
+
+static void fenced_row(const void *parameters, const double start[BL_AXES],
+                       const double step[BL_AXES], size_t count, float *out) {
+    const fenced *f = parameters;
+    bl_signal_row(f->inner, start, step, count, out);
+    for (size_t i = 0; i < count; i++)
+        out[i] = start[0] + (double)i * step[0] > f->fence ? NAN : out[i];
+}
+
+static const bl_signal_functions fenced_functions = {
+    .row = fenced_row, .points = fenced_points, .value = fenced_value};
+
+static void check_fence(const bl_signal *inner, double fence, bl_score_verdict verdict,
+                        const char *reach) {
+    bl_signal *signal =
+        bl_signal_new(&fenced_functions, &(fenced){inner, fence}, sizeof(fenced), "fenced");
+    assert_non_null(signal);
+    signal->dimensions = inner->dimensions;
+    signal->facts = bl_facts_unknown();
+    bl_score_property found = quick(signal, "far");
+    if (found.verdict != verdict || strcmp(found.cell, reach) != 0 || !strstr(found.reason, reach))
+        fail_msg("fence at %g: %s, reach %s, '%s'; expected %s", fence,
+                 bl_score_word(found.verdict), found.cell, found.reason, reach);
+    bl_signal_free(signal);
+}
+
+// The entry of the table and the reason tell one number.
+static void test_the_reach_ends_where_numbers_end(void **state) {
+    (void)state;
+    bl_signal *inner = bl_test_open("gnoise", BL_ISA_BEST);
+    check_fence(inner, 1e9, BL_SCORE_PASS, "1e+08");
+    check_fence(inner, 5e7, BL_SCORE_PASS, "1e+07");
+    check_fence(inner, 2e4, BL_SCORE_FAIL, "1e+04");
+    check_fence(inner, INFINITY, BL_SCORE_PASS, "1e+15");
+    bl_signal_free(inner);
+}
+
 // White noise has a jump everywhere, and a cosine a line.
 static void test_strange_signals_are_judged(void **state) {
     (void)state;
@@ -249,6 +304,7 @@ int main(void) {
         cmocka_unit_test(test_a_jump_is_found_with_its_place_and_size),
         cmocka_unit_test(test_good_noises_fail_as_rarely_as_alpha_says),
         cmocka_unit_test(test_what_cannot_be_judged_is_not_run),
+        cmocka_unit_test(test_the_reach_ends_where_numbers_end),
         cmocka_unit_test(test_strange_signals_are_judged),
         cmocka_unit_test(test_the_numbers_do_not_depend_on_the_threads),
     };

@@ -67,7 +67,8 @@ static void test_every_property_has_a_name_and_fills_its_result(void **state) {
         const bl_property *property = bl_property_at(i);
         const bl_score_property *result = &score.properties[i];
         assert_ptr_equal(bl_property_find(property->name), property);
-        assert_true(property->title[0] && property->question[0]);
+        assert_string_equal(property->title, property->name); // one word for one thing
+        assert_true(property->question[0] && property->entry[0]);
         if (!result->reason[0] || strcmp(result->reason, BL_SCORE_NOT_ASKED) == 0)
             fail_msg("%s gives no reason", property->name);
         for (size_t k = 0; k < result->count; k++)
@@ -297,7 +298,18 @@ static void test_a_wrong_range_mean_and_variance_are_caught(void **state) {
     signal = bl_test_broken();
     result = measure("range", signal);
     expect(&result, "not finite", BL_SCORE_FAIL, "not finite");
+    assert_int_equal(result.against, BL_AGAINST_CLAIM); // of being a signal
     bl_signal_free(signal);
+}
+
+// 1e-9 is too little to be told by so many digits of 1.
+static void test_the_level_of_a_refuted_mean_is_told_by_what_it_misses(void **state) {
+    (void)state;
+    bl_signal *noise = open_noise("gnoise");
+    noise->facts.mean = 0.1;
+    bl_score_property result = measure("range", noise);
+    expect(&result, "mean", BL_SCORE_FAIL, "at the level 1 - 5e-10");
+    bl_signal_free(noise);
 }
 
 static void test_a_band_claimed_too_strongly_is_caught(void **state) {
@@ -319,6 +331,113 @@ static void test_a_band_claimed_too_strongly_is_caught(void **state) {
     result = measure("band", constant);
     expect(&result, "constant", BL_SCORE_NOT_RUN, "constant");
     bl_signal_free(white), bl_signal_free(constant);
+}
+
+static bl_score_property measure_band(bl_signal *signal, double from, double to, double leak_db) {
+    signal->facts.band_from = from;
+    signal->facts.band_to = to;
+    signal->facts.leak_db = leak_db;
+    bl_score_property result = measure("band", signal);
+    assert_int_equal(result.against, BL_AGAINST_CLAIM);
+    return result;
+}
+
+// Of a line at the very edge of the band all side lobes of the window on the other side are seen.
+static void test_a_band_without_a_number_for_its_leak_is_judged(void **state) {
+    (void)state;
+    static const double inside[] = {0.3, 0.77, 0.999, 1};
+    for (size_t i = 0; i < sizeof inside / sizeof *inside; i++) {
+        bl_signal *cosine = bl_test_cosine(0, 1, (const double[]){inside[i], 0, 0});
+        bl_score_property result = measure_band(cosine, 0, 1, -INFINITY);
+        expect(&result, "no leak", BL_SCORE_PASS, "no leak at all");
+        result = measure_band(cosine, 0, 1, -150); // less than can be measured
+        expect(&result, "little leak", BL_SCORE_PASS, "floor");
+        result = measure_band(cosine, 0, 1, NAN);
+        expect(&result, "unknown leak", BL_SCORE_PASS, "without a leak");
+        result = measure_band(cosine, 0, 0.25, -INFINITY);
+        expect(&result, "no leak", BL_SCORE_FAIL, "no leak at all");
+        result = measure_band(cosine, 0, 0.25, NAN);
+        expect(&result, "unknown leak", BL_SCORE_FAIL, "-30 dB");
+        result = measure_band(cosine, 1.5, INFINITY, NAN); // a band without an end
+        expect(&result, "from 1.5", BL_SCORE_FAIL, "-30 dB");
+        bl_signal_free(cosine);
+    }
+    // The kernel that reads fourier's tile leaves images of its band, some 51 dB down.
+    bl_signal *fourier = open_noise("fourier");
+    bl_score_property result = measure_band(fourier, 0, 1, -INFINITY);
+    expect(&result, "fourier", BL_SCORE_FAIL, "no leak at all");
+    bl_signal_free(fourier);
+}
+
+// --- what is no noise at all ---
+
+typedef struct odd {
+    uint64_t seed;
+    int which; // 0: NaN; 1: a number of the seed; 2: a wave whose phase the seed drowns
+} odd;
+
+static double odd_value(const void *parameters, const double at[BL_AXES]) {
+    const odd *o = parameters;
+    double drowned = 0.7 * 2 * M_PI * at[0] + (double)o->seed;
+    return o->which == 0 ? NAN : o->which == 1 ? (double)(o->seed >> 11) * 0x1p-53 : sin(drowned);
+}
+
+static void odd_points(const void *parameters, const double *const at[BL_AXES], size_t count,
+                       float *out) {
+    for (size_t i = 0; i < count; i++)
+        out[i] = (float)odd_value(parameters, (const double[BL_AXES]){at[0][i], at[1][i]});
+}
+
+static void odd_row(const void *parameters, const double start[BL_AXES], const double step[BL_AXES],
+                    size_t count, float *out) {
+    for (size_t i = 0; i < count; i++)
+        out[i] =
+            (float)odd_value(parameters, (const double[BL_AXES]){start[0] + (double)i * step[0]});
+}
+
+static const bl_signal_functions odd_functions = {
+    .row = odd_row, .points = odd_points, .value = odd_value};
+
+static bl_signal *make_odd(int which) {
+    odd o = {3, which};
+    bl_signal *signal = bl_signal_new(&odd_functions, &o, sizeof o, "odd");
+    assert_non_null(signal);
+    signal->dimensions = 3;
+    signal->seed_offset = offsetof(odd, seed);
+    signal->facts = bl_facts_unknown();
+    return signal;
+}
+
+static void test_a_signal_without_numbers_fails(void **state) {
+    (void)state;
+    bl_signal *signal = make_odd(0);
+    bl_score_settings settings = quick(1e-6);
+    bl_message message = {""};
+    bl_score score;
+    uint64_t all = (UINT64_C(1) << bl_property_count()) - 1;
+    bl_score_property result = measure("repeatable", signal);
+    expect(&result, "NaN", BL_SCORE_FAIL, "not finite");
+    assert_int_equal(
+        bl_score_measure(&(bl_score_subject){.signal = signal}, &settings, all, &score, &message),
+        BL_OK);
+    assert_int_equal(bl_score_status(&score, 1, 0), BL_FAIL);
+    for (size_t i = 0; i < bl_property_count(); i++)
+        if (score.properties[i].verdict == BL_SCORE_PASS)
+            fail_msg("%s passes without a number", bl_property_at(i)->name);
+    bl_signal_free(signal);
+}
+
+static void test_what_is_constant_for_each_seed_is_not_judged(void **state) {
+    (void)state;
+    static const char *const names[] = {"band", "stationarity", "isotropy", "far"};
+    for (int which = 1; which <= 2; which++) {
+        bl_signal *signal = make_odd(which);
+        for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+            bl_score_property result = measure(names[i], signal);
+            expect(&result, names[i], BL_SCORE_NOT_RUN, "constant for each seed");
+        }
+        bl_signal_free(signal);
+    }
 }
 
 static void test_the_edges_of_a_known_band_are_found(void **state) {
@@ -421,7 +540,11 @@ int main(void) {
         cmocka_unit_test(test_what_cannot_be_repeated_is_caught),
         cmocka_unit_test(test_another_instruction_set_with_other_bits_is_caught),
         cmocka_unit_test(test_a_wrong_range_mean_and_variance_are_caught),
+        cmocka_unit_test(test_the_level_of_a_refuted_mean_is_told_by_what_it_misses),
         cmocka_unit_test(test_a_band_claimed_too_strongly_is_caught),
+        cmocka_unit_test(test_a_band_without_a_number_for_its_leak_is_judged),
+        cmocka_unit_test(test_a_signal_without_numbers_fails),
+        cmocka_unit_test(test_what_is_constant_for_each_seed_is_not_judged),
         cmocka_unit_test(test_the_edges_of_a_known_band_are_found),
         cmocka_unit_test(test_a_grid_is_measured_on_its_samples),
         cmocka_unit_test(test_mean_and_variance_fail_as_often_as_alpha_says),
