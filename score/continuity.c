@@ -10,7 +10,8 @@
 // in the window of four samples, 16 times as densely, the window of the largest d3 is taken again,
 // and so on down to h of 10^-11 of a cell. The power of h by which d3 falls in the end tells the
 // order of what is there, and d3 its size. Rounding ends the descent; where it ends too early to
-// tell, the place is unresolved.
+// tell, what rounding can hide is either too small to count, or the place is unresolved. The power
+// is taken below an eighth of the finest cell: above, the waves of the finest octaves are no jumps.
 //
 // Judged against the stated class: a jump of a derivative of that order or below fails. A signal
 // that states a bound, or a class of 0 or more, states its class; -1 of any other is "not stated",
@@ -122,15 +123,23 @@ static finding look_closely(const line *l, double t, const bl_score_look *look) 
     noise = fmax(noise, 8 * d.third[last]);
     while (last > 0 && !(d.third[last] > noise))
         last--;
-    if (last < 2)
+    if (last < 2 || d.h[last - 2] > look->finest / 8) {
+        // The next level has nothing but noise, which hides no more than this.
+        unsigned next = d.third[0] > noise ? last + 1 : 0;
+        f.order = SMOOTH;
+        for (int order = 1; order < ORDERS; order++)
+            if (noise / pow(d.h[next], order) >
+                least[order] * look->deviation / pow(look->cell, order))
+                f.order = UNRESOLVED;
         return f;
+    }
     double power = exponent(&d, last);
     f.order = SMOOTH;
     for (int order = 1; order < ORDERS; order++)
         if (power < order + 0.5) {
             // At most 2 of a kink h, and 1 of a bend h^2, is what the third difference shows.
             f.size = d.third[last] / pow(d.h[last], order);
-            double unit = look->deviation / pow(l->h * PER_CELL, order);
+            double unit = look->deviation / pow(look->cell, order);
             f.order = f.size > least[order] * unit ? order : SMOOTH;
             break;
         }
