@@ -115,11 +115,13 @@ static finding look_closely(const line *l, double t, const bl_score_look *look) 
     // Rounding: 2^-46 of the values, sums of some hundred terms, and that of the coordinates times
     // the slope. Values rounded to floats, or taken at rounded places, end in steps that no longer
     // shrink.
-    double far = 0;
+    double far = 0, slope = look->range / look->cell;
     for (int a = 0; a < BL_AXES; a++)
         far = fmax(far, fabs(f.at[a]));
+    for (unsigned k = 0; k < d.levels; k++)
+        slope = fmax(slope, d.step[k] / d.h[k]);
     double noise = 0x1p-46 * (fabs(look->mean) + look->range) +
-                   0x1p-46 * (far + look->cell) * (look->range / look->cell);
+                   0x1p-46 * (far + look->cell) * slope;
     noise = fmax(noise, 8 * d.third[last]);
     while (last > 0 && !(d.third[last] > noise))
         last--;
