@@ -35,6 +35,7 @@
 enum { EQUAL_PLACES = 24, DIFFERENT = 6, MOST_PLACES = 4096, POWER_MOST = 40 };
 enum { CONSTANT_PLACES = 512 }; // a signal that has not differed by then is nearly constant
 #define EQUAL 1e-6              // of the range
+#define SLOPE 1e-3              // of the range
 
 // --- repeats ------------------------------------------------------------------------------------
 
@@ -66,7 +67,8 @@ static int is_nearly_constant(const walk *w) {
 }
 
 // By how much the value changes within two roundings of the coordinate along the axis: of the
-// period and of the sum. 0 where those are as long as features of the noise.
+// period and of the sum; no more than SLOPE, which 24 places do not keep by chance. 0 where the
+// roundings are as long as features of the noise.
 static double change_by_rounding(const walk *w, const double at[BL_AXES]) {
     double other[BL_AXES], rounding = 0x1p-52 * fabs(at[w->axis]), change = 0;
     double here = bl_signal_value(w->signal, at);
@@ -76,7 +78,7 @@ static double change_by_rounding(const walk *w, const double at[BL_AXES]) {
         other[w->axis] += sign * rounding;
         change = fmax(change, fabs(bl_signal_value(w->signal, other) - here));
     }
-    return change;
+    return fmin(change, SLOPE * w->look->range);
 }
 
 // Whether the signal is the same after `shift` cells.

@@ -14,8 +14,9 @@
 // mean of u (v - v') over the places is symmetric about 0 if the change is as good as a random
 // seed. Student's t over the seeds s tests it, for each change and each way to go, and for all
 // changes together; all tests of a signal share alpha. If a relation of half the variance, of all
-// changes at the same places, could not be told from chance, nothing is said. Signals that are slow
-// to make are asked for a few bits of each seed; their correlation is that of all changes.
+// changes at the same places, could not be told from chance, four and then sixteen times as many
+// seeds are taken; if it still could not, nothing is said. Signals that are slow to make are asked
+// for a few bits of each seed; their correlation is that of all changes.
 #include "score/places.h"
 
 #include <math.h>
@@ -31,6 +32,7 @@ enum {
     SHIFTS = 1 + 2 * BL_AXES,
     PLACES = 32,      // of one seed, at most
     LEAST_SEEDS = 16, // for a t
+    MORE = 2,         // times four seeds, where those are too few
     AT_ONCE = PLACES * SHIFTS
 };
 
@@ -235,9 +237,8 @@ static void describe(const totals *sum, char *text, size_t size) {
         snprintf(text, size, "neighbouring seeds, %s,", shift);
 }
 
-static void judge(const survey *s, const batch *b, const bl_score_settings *settings,
+static void judge(const survey *s, const batch *b, totals sum, const bl_score_settings *settings,
                   bl_score_property *result) {
-    totals sum = totals_of(s, b, settings->alpha);
     char what[128];
     double *room = malloc(s->seeds * sizeof *room);
     if (!room) {
@@ -278,6 +279,37 @@ static void judge(const survey *s, const batch *b, const bl_score_settings *sett
     }
 }
 
+// Measures and judges; returns 0 out of memory. With `has_more` seeds to come, a test that tells
+// too little judges nothing, and *is_coarse is set.
+static int run(const survey *s, const bl_score_settings *settings, int has_more, int *is_coarse,
+               bl_score_property *result) {
+    batch *batches = malloc(s->seeds * sizeof *batches);
+    int is_missing = !batches;
+    *is_coarse = 0;
+    if (batches) {
+#pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)
+        for (size_t j = 0; j < s->seeds; j++) {
+            const bl_signal *signal = s->signal;
+            bl_random random = bl_score_random(settings, BL_SCORE_STREAM_SEEDS, j);
+            uint64_t seed = bl_random_bits(&random);
+            if (j == 0)
+                memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);
+            take(s, j, seed, random, &batches[j]);
+        }
+        for (size_t j = 0; j < s->seeds; j++)
+            is_missing |= batches[j].is_missing;
+        totals sum = {0};
+        if (!is_missing)
+            sum = totals_of(s, batches, settings->alpha);
+        // By the spread alone, whatever the mean is: the choice does not favour a verdict.
+        *is_coarse = has_more && sum.told > MOST_TOLD;
+        if (!is_missing && !*is_coarse)
+            judge(s, batches, sum, settings, result);
+    }
+    free(batches);
+    return !is_missing;
+}
+
 static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
                          bl_score_property *result, bl_message *message) {
     const bl_signal *signal = subject->signal;
@@ -296,24 +328,10 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         s.stride = 16;
     }
     s.places = (size_t)bl_score_pick(settings, 16, 24, PLACES);
-    batch *batches = malloc(s.seeds * sizeof *batches);
-    int is_missing = !batches;
-    if (batches) {
-#pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)
-        for (size_t j = 0; j < s.seeds; j++) {
-            bl_random random = bl_score_random(settings, BL_SCORE_STREAM_SEEDS, j);
-            uint64_t seed = bl_random_bits(&random);
-            if (j == 0)
-                memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);
-            take(&s, j, seed, random, &batches[j]);
-        }
-        for (size_t j = 0; j < s.seeds; j++)
-            is_missing |= batches[j].is_missing;
-        if (!is_missing)
-            judge(&s, batches, settings, result);
-    }
-    free(batches);
-    return is_missing ? bl_score_no_memory(result, message) : BL_OK;
+    int is_coarse = 1, is_done = 1;
+    for (int more = 0; more <= MORE && is_done && is_coarse; more++, s.seeds *= 4)
+        is_done = run(&s, settings, more < MORE, &is_coarse, result);
+    return is_done ? BL_OK : bl_score_no_memory(result, message);
 }
 
 BL_PROPERTY_DESCRIPTOR(seeds) = {
