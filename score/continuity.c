@@ -10,7 +10,8 @@
 // in the window of four samples, 16 times as densely, the window of the largest d3 is taken again,
 // and so on down to h of 10^-11 of a cell. The power of h by which d3 falls in the end tells the
 // order of what is there, and d3 its size. Rounding ends the descent; where it ends too early to
-// tell, the place is unresolved.
+// tell, what rounding can hide is either too small to count, or the place is unresolved. The power
+// is taken below an eighth of the finest cell: above, the waves of the finest octaves are no jumps.
 //
 // Judged against the stated class: a jump of a derivative of that order or below fails. A signal
 // that states a bound, or a class of 0 or more, states its class; -1 of any other is "not stated",
@@ -114,23 +115,33 @@ static finding look_closely(const line *l, double t, const bl_score_look *look) 
     // Rounding: 2^-46 of the values, sums of some hundred terms, and that of the coordinates times
     // the slope. Values rounded to floats, or taken at rounded places, end in steps that no longer
     // shrink.
-    double far = 0;
+    double far = 0, slope = look->range / look->cell;
     for (int a = 0; a < BL_AXES; a++)
         far = fmax(far, fabs(f.at[a]));
+    for (unsigned k = 0; k < d.levels; k++)
+        slope = fmax(slope, d.step[k] / d.h[k]);
     double noise = 0x1p-46 * (fabs(look->mean) + look->range) +
-                   0x1p-46 * (far + look->cell) * (look->range / look->cell);
+                   0x1p-46 * (far + look->cell) * slope;
     noise = fmax(noise, 8 * d.third[last]);
     while (last > 0 && !(d.third[last] > noise))
         last--;
-    if (last < 2)
+    if (last < 2 || d.h[last - 2] > look->finest / 8) {
+        // The next level has nothing but noise, which hides no more than this.
+        unsigned next = d.third[0] > noise ? last + 1 : 0;
+        f.order = SMOOTH;
+        for (int order = 1; order < ORDERS; order++)
+            if (noise / pow(d.h[next], order) >
+                least[order] * look->deviation / pow(look->cell, order))
+                f.order = UNRESOLVED;
         return f;
+    }
     double power = exponent(&d, last);
     f.order = SMOOTH;
     for (int order = 1; order < ORDERS; order++)
         if (power < order + 0.5) {
             // At most 2 of a kink h, and 1 of a bend h^2, is what the third difference shows.
             f.size = d.third[last] / pow(d.h[last], order);
-            double unit = look->deviation / pow(l->h * PER_CELL, order);
+            double unit = look->deviation / pow(look->cell, order);
             f.order = f.size > least[order] * unit ? order : SMOOTH;
             break;
         }

@@ -6,10 +6,15 @@
 // where the noise is smooth, and |D(h) - D(h/2)| bounds it from above by far. Where a second
 // derivative jumps within the stencil both are of the same order, so that the place excuses itself;
 // where the first derivative jumps very near the place, both D may agree and be wrong, which
-// happens at less than one place in a thousand for a step of 2^-12 of a cell. A place is wrong
-// where the analytic gradient is off by more than 8 times that bound and a part of 10^-4 of the
-// root-mean-square gradient; a signal is wrong if more than one place in fifty is. There is no
+// happens at less than one place in a thousand for a step of 2^-12 of the finest cell. A place is
+// wrong where the analytic gradient is off by more than 8 times that bound and a part of 10^-4 of
+// the root-mean-square gradient; a signal is wrong if more than one place in fifty is. There is no
 // chance in it: no limit depends on alpha.
+//
+// A signal that does not state a continuous derivative has more of such places, and its value may
+// jump. There the two one-sided differences disagree: places where they do, by a twentieth of
+// themselves and a thousandth of the root-mean-square gradient, are left out of everything. If most
+// places are, nothing is judged.
 #include "score/places.h"
 
 #include <math.h>
@@ -18,12 +23,15 @@
 
 #include "core/grid.h"
 
-#define STEP 0x1p-12 // of a cell
+#define STEP 0x1p-12 // of the finest cell
 #define TOLERANCE 1e-4
+#define DISAGREE 0.05 // of one-sided differences, of the larger one
+#define UNLIKE 1e-3   // the same, of the root-mean-square gradient
 #define SHARE_WRONG 0.02
 
 typedef struct place {
     double at[BL_AXES], analytic[BL_AXES], numeric[BL_AXES], bound[BL_AXES];
+    double disagreement[BL_AXES]; // of the one-sided differences; 0 where they agree
 } place;
 
 static double central(const bl_signal *signal, const double at[BL_AXES], unsigned axis, double h) {
@@ -37,17 +45,33 @@ static double central(const bl_signal *signal, const double at[BL_AXES], unsigne
            (above[axis] - below[axis]);
 }
 
+// The difference of the one-sided differences, where it is beyond DISAGREE.
+static double disagreement_of(const bl_signal *signal, const double at[BL_AXES], unsigned axis,
+                              double h) {
+    double above[BL_AXES], below[BL_AXES], here = bl_signal_value(signal, at);
+    for (int a = 0; a < BL_AXES; a++)
+        above[a] = below[a] = at[a];
+    above[axis] += h;
+    below[axis] -= h;
+    double forward = (bl_signal_value(signal, above) - here) / (above[axis] - at[axis]);
+    double backward = (here - bl_signal_value(signal, below)) / (at[axis] - below[axis]);
+    double apart = fabs(forward - backward);
+    return apart <= DISAGREE * fmax(fabs(forward), fabs(backward)) ? 0 : apart;
+}
+
 static void take(const bl_signal *signal, const bl_score_look *look, bl_random random, place *p) {
     *p = (place){.at = {0}};
     for (unsigned a = 0; a < look->dimensions; a++)
         p->at[a] = look->cell * 64 * (bl_random_unit(&random) - 0.5);
     signal->functions->gradient(signal->parameters, p->at, p->analytic);
     for (unsigned a = 0; a < look->dimensions; a++) {
-        double wide = central(signal, p->at, a, STEP * look->cell);
-        double narrow = central(signal, p->at, a, STEP / 2 * look->cell);
+        double step = STEP * look->finest, wide = central(signal, p->at, a, step);
+        double narrow = central(signal, p->at, a, step / 2);
         p->numeric[a] = (4 * narrow - wide) / 3;
         // Rounding: two values of some 1e-15 of the deviation, over the step.
-        p->bound[a] = fabs(wide - narrow) + 1e-14 * look->deviation / (STEP * look->cell);
+        p->bound[a] = fabs(wide - narrow) + 1e-14 * look->deviation / step;
+        if (signal->facts.continuity < 1)
+            p->disagreement[a] = disagreement_of(signal, p->at, a, step / 2);
     }
 }
 
@@ -56,31 +80,64 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-static void judge(const place *places, size_t count, unsigned dimensions, double *error,
-                  bl_score_property *result) {
+static int is_rough(const place *p, double least) {
+    double largest = 0;
+    for (int a = 0; a < BL_AXES; a++)
+        largest = fmax(largest, p->disagreement[a]);
+    return largest > least;
+}
+
+// The sum of squares of the numeric gradients of the places that are left in, over their number.
+// `least` is the disagreement beyond which a place is left out.
+static double mean_square(const place *places, size_t count, unsigned dimensions, double least) {
     double square = 0;
-    size_t wrong = 0, first = 0;
-    for (size_t i = 0; i < count; i++)
-        for (unsigned a = 0; a < dimensions; a++)
-            square += places[i].numeric[a] * places[i].numeric[a] / (double)count;
-    double size = sqrt(square);
+    size_t left = 0;
     for (size_t i = 0; i < count; i++) {
-        int is_wrong = 0;
-        error[i] = 0;
-        for (unsigned a = 0; a < dimensions; a++) {
-            double off = fabs(places[i].analytic[a] - places[i].numeric[a]);
-            error[i] = fmax(error[i], off / size);
-            is_wrong |= !(off <= 8 * places[i].bound[a] + TOLERANCE * size);
-        }
-        if (is_wrong && wrong++ == 0)
+        if (is_rough(&places[i], least))
+            continue;
+        left++;
+        for (unsigned a = 0; a < dimensions; a++)
+            square += places[i].numeric[a] * places[i].numeric[a];
+    }
+    return left ? square / (double)left : 0;
+}
+
+// Whether the analytic gradient is wrong there, and how far off it is.
+static int is_wrong(const place *p, unsigned dimensions, double size, double *error) {
+    int wrong = 0;
+    *error = 0;
+    for (unsigned a = 0; a < dimensions; a++) {
+        double off = fabs(p->analytic[a] - p->numeric[a]);
+        *error = fmax(*error, off / size);
+        wrong |= !(off <= 8 * p->bound[a] + TOLERANCE * size);
+    }
+    return wrong;
+}
+
+static void judge(const place *places, size_t all, unsigned dimensions, double *error,
+                  bl_score_property *result) {
+    size_t wrong = 0, first = 0, count = 0;
+    // The first root leaves out all that disagree, some of which the threshold lets in again.
+    double least = UNLIKE * sqrt(mean_square(places, all, dimensions, 0));
+    double size = sqrt(mean_square(places, all, dimensions, least));
+    for (size_t i = 0; i < all; i++) {
+        if (is_rough(&places[i], least))
+            continue;
+        if (is_wrong(&places[i], dimensions, size, &error[count++]) && wrong++ == 0)
             first = i;
+    }
+    bl_score_add_exact(result, "places", (double)count);
+    bl_score_add_exact(result, "places_left_out", (double)(all - count));
+    if (2 * count < all) {
+        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_CLAIM,
+                       "most places are too near a jump of the value or of a derivative");
+        return;
     }
     qsort(error, count, sizeof *error, ascending);
     double share = (double)wrong / (double)count, median = error[count / 2];
     bl_score_add_seen(result, "median_error", median);
     bl_score_add_seen(result, "error_of_95_percent", error[count * 95 / 100]);
     bl_score_add_seen(result, "share_wrong", share);
-    bl_score_add_exact(result, "places", (double)count);
     snprintf(result->cell, sizeof result->cell, "%.1e", median);
     if (!isfinite(size)) {
         bl_score_not_finite(result);
@@ -102,11 +159,6 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     bl_score_look look;
     if (!signal->functions->gradient) {
         bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "the signal has no gradient");
-        return BL_OK;
-    }
-    if (signal->facts.continuity == -1) {
-        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
-                       "the signal states that it is discontinuous");
         return BL_OK;
     }
     if (!bl_score_look_at(subject, settings, result, &look))

@@ -15,12 +15,13 @@
 //
 // are 0 over seeds and places for an isotropic noise; each is tested by Student's t over the
 // batches, and all tests of a signal share alpha. For information: the anisotropy of the rings of
-// the power spectrum of a slice (Ulichney 1987), with the floor of as many averages.
+// the power spectrum of a slice (rings.h).
 //
 // Second moments do not see the tail of the spectrum, where lattice noises have their cross.
 // Therefore each batch also takes two slices, and compares their power above 1 cycle a cell near
 // the axes with that near the diagonals (sectors.h); the difference is one more test, and the table
-// shows the ratio.
+// shows the ratio. A tail that holds less than -40 dB of the variance is shown and not judged: it
+// is below what the bands of noises are asked for, and mostly the leak of their ends.
 #include "score/places.h"
 
 #include <math.h>
@@ -29,10 +30,11 @@
 #include <string.h>
 
 #include "core/grid.h"
+#include "score/rings.h"
 #include "score/sectors.h"
-#include "spectra/psd.h"
 
-#define ROUNDING 1e-10 // of the density of white noise of the same deviation
+#define ROUNDING 1e-10  // of the density of white noise of the same deviation
+#define TAIL_LEAST 1e-4 // the share of the variance from which on the tail is judged
 
 enum { DIRECTIONS = 16, LAGS = 4, LENGTH = 64, CONTRASTS = 4 + 6 + 1 + DIRECTIONS };
 
@@ -183,35 +185,8 @@ static double add_ratios(const batch *b, size_t count, const directions *d, doub
     return largest;
 }
 
-// The anisotropy of the rings below Nyquist, weighted by their power, and the floor. A signal whose
-// spectrum cannot be measured has neither.
-static void add_rings(const bl_signal *signal, const bl_score_settings *settings,
-                      const bl_score_look *look, bl_score_property *result) {
-    bl_psd_settings slice = bl_psd_default_settings(2);
-    bl_psd psd;
-    slice.rate = 4 / look->cell;
-    slice.size = (size_t)bl_score_pick(settings, 128, 256, 512);
-    slice.averages = 16;
-    slice.seed = settings->seed;
-    slice.level = settings->level;
-    slice.threads = settings->threads;
-    if (bl_psd_measure(signal, &slice, &psd, NULL) != BL_OK)
-        return;
-    double power = 0, measured = 0, floor_level = 0;
-    for (size_t k = 1; k < psd.count; k++)
-        if (isfinite(psd.anisotropy_db[k]) && isfinite(psd.anisotropy_floor_db[k])) {
-            double weight = psd.psd[k] * psd.measure[k];
-            power += weight;
-            measured += weight * pow(10, psd.anisotropy_db[k] / 10);
-            floor_level += weight * pow(10, psd.anisotropy_floor_db[k] / 10);
-        }
-    bl_score_add_seen(result, "rings_anisotropy_db", 10 * log10(measured / power));
-    bl_score_add_seen(result, "rings_floor_db", 10 * log10(floor_level / power));
-    bl_psd_free(&psd);
-}
-
 // The t of the slices' power near the axes less that near the diagonals; 0 where there is none but
-// rounding errors. Adds their ratio.
+// rounding errors, or too little to judge. Adds their ratio.
 static double tail_deviate(const batch *b, size_t count, double level, double *room,
                            bl_score_property *result) {
     double power = 0;
@@ -224,9 +199,13 @@ static double tail_deviate(const batch *b, size_t count, double level, double *r
         return 0;
     bl_score_add(result, "tail_axes_to_diagonals_db",
                  bl_score_db(bl_ratio_estimate(room, room + count, count, level)));
+    // White noise would have 1 in each sector of both slices, 4 in all, over the square of Nyquist,
+    // 16 times a square of one cycle; the ring from 1 to 2 is 3 pi of them.
+    double share = power / 4 * (3 * M_PI / 16);
+    bl_score_add_seen(result, "tail_share_db", 10 * log10(share));
     for (size_t i = 0; i < count; i++)
         room[i] -= room[count + i];
-    return bl_score_t(room, count, 1);
+    return share < TAIL_LEAST ? 0 : bl_score_t(room, count, 1);
 }
 
 static void judge(const bl_signal *signal, const batch *b, size_t count, const directions *d,
@@ -259,8 +238,10 @@ static void judge(const bl_signal *signal, const batch *b, size_t count, const d
     bl_score_add_seen(result, "largest_deviate", largest);
     bl_score_add_seen(result, "limit_deviate", limit);
     const bl_score_number *cross = bl_score_find(result, "tail_axes_to_diagonals_db");
+    const bl_score_number *share = bl_score_find(result, "tail_share_db");
     double cross_db = cross ? cross->estimate.value : 0;
-    snprintf(result->cell, sizeof result->cell, "%+.2f dB", cross ? cross_db : ratio);
+    int is_tail_judged = share && share->estimate.value >= 10 * log10(TAIL_LEAST);
+    snprintf(result->cell, sizeof result->cell, "%+.2f dB", is_tail_judged ? cross_db : ratio);
     if (fabs(largest) > limit && is_tail)
         bl_score_judge(result, BL_SCORE_FAIL, against,
                        "above 1 cycle a cell, the power near the axes is %+.2f dB of that near the "
@@ -311,7 +292,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
                  bl_score_random(settings, BL_SCORE_STREAM_ISOTROPY, i), &batches[i]);
         judge(signal, batches, count, &d, settings, room, result);
         if (result->verdict != BL_SCORE_NOT_RUN)
-            add_rings(signal, settings, &look, result);
+            bl_score_add_rings(signal, settings, &look, result);
     }
     int is_missing = !batches || !room;
     for (size_t i = 0; i < count && !is_missing; i++)

@@ -6,8 +6,10 @@
 // ten thousand cells; farther out the shifts 2^k, 3 2^k and 10^k cells are tried up to 2^40, and
 // what the signal states, also backwards and divided by small primes. A shift is a repeat where the
 // reference has the same values, to 10^-6 of the range, at 24 random places or more, at six of
-// which it differs from the first. Places are multiples of 2^-8 cells near 0, so that adding a
-// whole number of cells to them is exact. There is no chance in it.
+// which it differs from the first; a signal that hardly ever differs is not judged. Places are
+// multiples of 2^-8 cells near 0, so that adding a whole number of cells to them is exact. A period
+// that no double has is found at the nearest one: what the value changes by within two roundings of
+// the coordinate is let pass. There is no chance in it.
 //
 // Lines. A mean that depends on the phase in the cell, or a long period, is a line in the spectrum:
 // all its power in one bin of a periodogram, however long. One long row along each axis, at 8
@@ -31,7 +33,9 @@
 #include "spectra/window.h"
 
 enum { EQUAL_PLACES = 24, DIFFERENT = 6, MOST_PLACES = 4096, POWER_MOST = 40 };
-#define EQUAL 1e-6 // of the range
+enum { CONSTANT_PLACES = 512 }; // a signal that has not differed by then is nearly constant
+#define EQUAL 1e-6              // of the range
+#define SLOPE 1e-3              // of the range
 
 // --- repeats ------------------------------------------------------------------------------------
 
@@ -47,6 +51,36 @@ static void choose_place(const walk *w, bl_random *random, double at[BL_AXES]) {
         at[a] = w->look->cell * ((double)(bl_random_bits(random) % 8192) / 256 - 16);
 }
 
+// Whether the signal is so nearly constant that no shift could be told from a repeat.
+static int is_nearly_constant(const walk *w) {
+    bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 1 + w->axis);
+    double first = 0;
+    int different = 0;
+    for (int i = 0; i < CONSTANT_PLACES && different < DIFFERENT; i++) {
+        double at[BL_AXES];
+        choose_place(w, &random, at);
+        double here = bl_signal_value(w->signal, at);
+        first = i ? first : here;
+        different += !(fabs(here - first) <= EQUAL * w->look->range);
+    }
+    return different < DIFFERENT;
+}
+
+// By how much the value changes within two roundings of the coordinate along the axis: of the
+// period and of the sum; no more than SLOPE, which 24 places do not keep by chance. 0 where the
+// roundings are as long as features of the noise.
+static double change_by_rounding(const walk *w, const double at[BL_AXES]) {
+    double other[BL_AXES], rounding = 0x1p-52 * fabs(at[w->axis]), change = 0;
+    double here = bl_signal_value(w->signal, at);
+    for (int sign = -1; sign <= 1 && rounding < 0x1p-8 * w->look->cell; sign += 2) {
+        for (int a = 0; a < BL_AXES; a++)
+            other[a] = at[a];
+        other[w->axis] += sign * rounding;
+        change = fmax(change, fabs(bl_signal_value(w->signal, other) - here));
+    }
+    return fmin(change, SLOPE * w->look->range);
+}
+
 // Whether the signal is the same after `shift` cells.
 static int repeats(const walk *w, double shift) {
     bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 1 + w->axis);
@@ -57,7 +91,8 @@ static int repeats(const walk *w, double shift) {
         choose_place(w, &random, at);
         double here = bl_signal_value(w->signal, at);
         at[w->axis] += shift * w->look->cell;
-        if (!(fabs(bl_signal_value(w->signal, at) - here) <= near))
+        double off = fabs(bl_signal_value(w->signal, at) - here);
+        if (!(off <= near) && !(off <= near + 2 * change_by_rounding(w, at)))
             return 0;
         first = i ? first : here;
         different += fabs(here - first) > near;
@@ -83,9 +118,12 @@ static int points_repeat(const walk *w, double shift) {
     }
     bl_signal_points(w->signal, (const double *const[]){column[0], column[1], column[2], column[3]},
                      2 * EQUAL_PLACES, value);
-    for (int i = 0; i < EQUAL_PLACES; i++)
-        equal &=
-            fabs((double)value[i] - (double)value[EQUAL_PLACES + i]) <= 10 * EQUAL * w->look->range;
+    for (int i = 0; i < EQUAL_PLACES; i++) {
+        const double at[BL_AXES] = {column[0][EQUAL_PLACES + i], column[1][EQUAL_PLACES + i],
+                                    column[2][EQUAL_PLACES + i], column[3][EQUAL_PLACES + i]};
+        equal &= fabs((double)value[i] - (double)value[EQUAL_PLACES + i]) <=
+                 10 * EQUAL * w->look->range + 2 * change_by_rounding(w, at);
+    }
     return equal;
 }
 
@@ -289,6 +327,11 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     axis_result axes[BL_AXES] = {{0}};
     if (!bl_score_look_at(subject, settings, result, &look))
         return BL_OK;
+    if (is_nearly_constant(&(walk){subject->signal, &look, settings, 0})) {
+        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+                       "the signal is too nearly constant to tell a repeat");
+        return BL_OK;
+    }
 #pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)
     for (unsigned a = 0; a < look.dimensions; a++) {
         walk w = {subject->signal, &look, settings, a};

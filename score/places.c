@@ -16,7 +16,10 @@ int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *s
     float value[LOOKS];
     bl_moments moments = {.n = 0};
     bl_random random = bl_score_random(settings, BL_SCORE_STREAM_LOOK, 0);
-    *look = (bl_score_look){.dimensions = signal->dimensions, .cell = cell};
+    *look = (bl_score_look){.dimensions = signal->dimensions, .cell = cell, .finest = cell};
+    // The fraction within the finest cell is what is lost at facts.far, which is 2^52 such cells.
+    if (signal->facts.cell > 0 && signal->facts.far > 0)
+        look->finest = fmin(cell, signal->facts.far * 0x1p-52);
     if (signal->extent.size[0]) {
         bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
                        "the signal is a grid of samples, which has no values between them");

@@ -32,6 +32,7 @@ bl_random bl_score_random(const bl_score_settings *settings, unsigned property, 
 typedef struct bl_score_look {
     unsigned dimensions;
     double cell;            // of the lattice, in units; 1 where the signal states none
+    double finest;          // of the finest lattice of a sum of octaves, which ends first far out
     double mean, deviation; // of a thousand values
     double range;           // the largest of them less the smallest
 } bl_score_look;

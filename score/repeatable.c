@@ -10,8 +10,8 @@
 //
 // Rows, points and the double reference are three routes to one function: they must agree to
 // 32 * 2^-24 * max(1, bound) where the signal states its bound, which is the rounding that float
-// kernels are allowed; where it states none, to a thousandth of its values, which only another
-// function exceeds, and the largest difference is reported.
+// kernels are allowed; where it states none, to 10^-5 of the range of its values and four roundings
+// of the largest one; and the largest difference is reported.
 //
 // That it is a function of the place is what every signal claims (core/signal.h), so the verdict is
 // against the claim; and a signal that has no numbers near the origin is none, and fails.
@@ -41,7 +41,8 @@ typedef struct trial {
     bl_signal *twin; // of the same seed; NULL if there is none
     double at[BL_AXES][MOST], backwards[BL_AXES][MOST];
     float answer[MOST], again[MOST], by_thread[THREADS][MOST];
-    double row_error, point_error, route_error, largest; // of all questions
+    double row_error, point_error, route_error; // of all questions
+    double largest, lower, upper;               // of the values, in size and in sign
     double row_error_at[BL_AXES];
     size_t compared;
     int is_near;          // the questions are near the origin
@@ -147,10 +148,14 @@ static void find_errors(trial *t, const question *q) {
     for (size_t i = 0; i < q->count; i++) {
         const double at[BL_AXES] = {q->at[0][i], q->at[1][i], q->at[2][i], q->at[3][i]};
         double own = t->answer[i], route = difference_of(own, t->again[i]);
-        t->largest = fmax(t->largest, isfinite(own) ? fabs(own) : 0);
-        if (t->is_near && !isfinite(own) && !t->hole[0])
+        if (isfinite(own)) {
+            t->largest = fmax(t->largest, fabs(own));
+            t->lower = fmin(t->lower, own);
+            t->upper = fmax(t->upper, own);
+        } else if (t->is_near && !t->hole[0]) {
             snprintf(t->hole, sizeof t->hole, "%s",
                      bl_score_place_text(t->subject->signal, at).text);
+        }
         if (i < REFERENCES)
             *error = fmax(*error, difference_of(own, bl_signal_value(t->subject->signal, at)));
         if (route > t->route_error)
@@ -266,7 +271,9 @@ static size_t try_scales(trial *t) {
 static void judge(trial *t, size_t scales, bl_score_property *result) {
     const bl_score_subject *subject = t->subject;
     double bound = bl_score_bound(subject->signal);
-    double allowed = isfinite(bound) ? 32 * 0x1p-24 * fmax(1, bound) : 1e-3 * t->largest;
+    double allowed = isfinite(bound)
+                         ? 32 * 0x1p-24 * fmax(1, bound)
+                         : 1e-5 * fmax(0, t->upper - t->lower) + 4 * 0x1p-24 * t->largest;
     double worst = fmax(t->route_error, fmax(t->row_error, t->point_error));
     bl_score_add_exact(result, "comparisons", (double)t->compared);
     bl_score_add_exact(result, "scales", (double)scales);
@@ -314,6 +321,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         return bl_report(message, BL_DEVICE, "out of memory");
     t->subject = subject;
     t->settings = settings;
+    t->lower = INFINITY;
+    t->upper = -INFINITY;
     if (signal->seed_offset != SIZE_MAX) {
         uint64_t seed;
         memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);
