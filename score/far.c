@@ -5,8 +5,7 @@
 // In one cell at each power of ten from 10^3 to 10^15 (and at 2^31 and 2^53) along each axis, 256
 // places are sampled, in three cells some way apart, of which the best counts: one of a sparse
 // noise may be empty. Of the coordinates two roundings apart or more (one that is scaled may lose a
-// bit), how many give different
-// numbers, where one pair may be equal by symmetry, and how many did
+// bit), how many give different numbers, where one pair may be equal by symmetry, and how many did
 // in the best of the cells near 0? Float points are compared with the reference at the same
 // coordinates. And the variance over fresh seeds and places near 10^6 is compared with that near 0.
 // NaN and infinite coordinates must give NaN.
