@@ -122,6 +122,34 @@ int no_init_init(uint64_t seed, void **user) {
     return seed == 7 ? 0 : 42;
 }
 
+// --- what crashes, at places above 0 ---
+
+BANDLIMIT_EXPORT bandlimit_function crash_read, crash_abort, crash_deep;
+
+double crash_read(const double p[4], unsigned dims, uint64_t seed, void *user) {
+    (void)dims, (void)seed, (void)user;
+    double *volatile nowhere_at_all = NULL;
+    return p[0] > 0 ? *nowhere_at_all : 0;
+}
+
+double crash_abort(const double p[4], unsigned dims, uint64_t seed, void *user) {
+    (void)dims, (void)seed, (void)user;
+    if (p[0] > 0)
+        abort();
+    return 0;
+}
+
+static double deeper(double depth) {
+    volatile char room[4096];
+    room[0] = (char)depth;
+    return depth < 0 ? depth : deeper(depth + 1) + room[0];
+}
+
+double crash_deep(const double p[4], unsigned dims, uint64_t seed, void *user) {
+    (void)dims, (void)seed, (void)user;
+    return p[0] > 0 ? deeper(1) : 0;
+}
+
 #define BAD_CLAIM(name, what)                                                                      \
     BANDLIMIT_EXPORT bandlimit_function name;                                                      \
     BANDLIMIT_EXPORT bandlimit_claim name##_claims;                                                \
