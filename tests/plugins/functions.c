@@ -9,7 +9,7 @@
 
 // --- the least that a plugin can be ---
 
-BANDLIMIT_EXPORT bandlimit_function plain, full, unsafe, nowhere;
+BANDLIMIT_EXPORT bandlimit_function plain, full, unsafe, nowhere, constant;
 
 double plain(const double p[4], unsigned dims, uint64_t seed, void *user) {
     return p[0] + 10 * p[1] + 100 * p[2] + 1000 * p[3] + 0.25 * (double)seed + 1e-3 * dims +
@@ -103,6 +103,11 @@ void unsafe_claims(struct bandlimit_claims *claims) {
 double nowhere(const double p[4], unsigned dims, uint64_t seed, void *user) {
     (void)dims, (void)seed, (void)user;
     return p[0] > 0 ? NAN : 1;
+}
+
+double constant(const double p[4], unsigned dims, uint64_t seed, void *user) {
+    (void)p, (void)dims, (void)seed, (void)user;
+    return 0.1;
 }
 
 // --- bad ones ---
