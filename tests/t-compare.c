@@ -132,7 +132,7 @@ static void test_a_constant_has_graphs_and_a_reason_for_what_it_lacks(void **sta
     snprintf(path, sizeof path, "%s/compare-line/graphs.gp", folder);
     char *script = bl_test_read(path);
     assert_non_null(script);
-    assert_non_null(strstr(script, "set yrange [-0.9")); // 0.1 and one to each side
+    assert_non_null(strstr(script, "set yrange [-0.899999999:1.1]"));
     free(script);
     snprintf(path, sizeof path, "%s/compare-histogram/histograms.svg", folder);
     assert_int_not_equal(access(path, F_OK), 0); // no empty picture
@@ -142,7 +142,7 @@ static void test_the_legend_has_the_closed_form_that_a_later_panel_shows(void **
     (void)state;
     char folder[300], path[400];
     snprintf(folder, sizeof folder, "%s", bl_test_path("legend"));
-    json_decref(RUN_JSON("compare", function("plain"), "gnoise", "--quick", "-o", folder,
+    json_decref(RUN_JSON("compare", function("full"), "gnoise", "--quick", "-o", folder,
                          "--json"));
     snprintf(path, sizeof path, "%s/compare-spectrum/spectra-line.gp", folder);
     char *script = bl_test_read(path);
