@@ -3,10 +3,26 @@
 // The verb `compare`: the comparison figures of the papers for any signals, side by side.
 #include "cli/figures.h"
 #include "reports/compare.h"
+#include "spectra/histogram.h"
 
 typedef struct compare_options {
     const char *format;
 } compare_options;
+
+enum { PROBES = 1 << 14 };
+
+// Whether it has values, and all are finite: an hour later is too late to learn of it.
+static bl_status check_values(bl_call *call, const bl_signal *signal) {
+    bl_histogram_settings settings = bl_histogram_default_settings();
+    bl_histogram histogram;
+    settings.samples = PROBES;
+    settings.threads = bl_call_threads(call);
+    settings.seed = call->common.seed;
+    bl_status status = bl_histogram_measure(signal, &settings, &histogram, &call->message);
+    if (status == BL_OK)
+        bl_histogram_free(&histogram);
+    return status;
+}
 
 // Every signal is opened once before anything is made: a typing error must not leave a folder.
 static bl_status check_signals(bl_call *call) {
@@ -14,8 +30,10 @@ static bl_status check_signals(bl_call *call) {
     for (size_t i = 0; i < call->operands.count && status == BL_OK; i++) {
         bl_signal *signal;
         status = bl_call_open(call, call->operands.words[i], &signal);
-        if (status == BL_OK)
-            bl_signal_free(signal);
+        if (status != BL_OK)
+            break;
+        status = check_values(call, signal);
+        bl_signal_free(signal);
     }
     return status;
 }

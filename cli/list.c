@@ -66,12 +66,17 @@ static json_t *section_json(const list_section *section) {
 static void print_section(FILE *out, const list_section *section, int names) {
     if (!names)
         fprintf(out, "%s%s\n", section->name, section->count() ? "" : ": none in this version");
+    int width = 0;
+    for (size_t i = 0; i < section->count(); i++) {
+        int letters = (int)strlen(section->at(i).name);
+        width = letters > width ? letters : width;
+    }
     for (size_t i = 0; i < section->count(); i++) {
         list_entry entry = section->at(i);
         if (names)
             fprintf(out, "%s\n", entry.name);
         else
-            fprintf(out, "  %-14s %s (%s)\n", entry.name, entry.title, entry.paper);
+            fprintf(out, "  %-*s  %s (%s)\n", width, entry.name, entry.title, entry.paper);
     }
 }
 

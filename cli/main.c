@@ -15,6 +15,7 @@
 #include "cli/verb.h"
 #include "core/file.h"
 #include "core/grammar.h"
+#include "core/interrupt.h"
 
 // Whether a reader that goes away ends the program silently, as it does other filters.
 static int pipe_signal_is_default;
@@ -252,6 +253,7 @@ static int asks_for_json(int count, char **words) {
 int main(int count, char **words) {
     occupy_standard_streams();
     ignore_broken_pipes();
+    bl_interrupt_install();
     bl_call call = {.argument_count = count > 0 ? count - 1 : 0, .arguments = words + 1};
     bl_status status = run_words(&call, count, words);
     int failed = is_error(&call, status);

@@ -23,16 +23,19 @@ void bl_words_free(bl_words *words) {
 
 // Whole numbers in messages look as they are typed; large limits are powers of two.
 static bl_status report_range(const bl_option *option, const char *word, bl_message *message) {
-    return bl_report(message, BL_USAGE, "--%s %s: out of range; use a number from %.10g to %.10g",
+    int whole = option->kind == BL_OPTION_UNSIGNED;
+    return bl_report(message, BL_USAGE,
+                     whole ? "--%s %s: out of range; use a number from %.0f to %.0f"
+                           : "--%s %s: out of range; use a number from %.10g to %.10g",
                      option->name, word, option->minimum, option->maximum);
 }
 
 static bl_status read_unsigned(const bl_option *option, const char *word, uint64_t *out,
                                bl_message *message) {
     unsigned long long number;
-    if (!bl_read_unsigned(word, &number))
+    if (!bl_read_count(word, &number))
         return bl_report(message, BL_USAGE,
-                         "--%s %s: not a whole number from %.0f to %.10g; write digits alone",
+                         "--%s %s: not a whole number from %.0f to %.0f; write it as 4096 or 1e6",
                          option->name, word, option->minimum, option->maximum);
     if ((double)number < option->minimum ||
         ((double)number > option->maximum && option->maximum > 0))

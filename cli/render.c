@@ -143,8 +143,8 @@ static void report(bl_call *call, const bl_signal *signal, const slice_view *vie
     if (call->common.quiet)
         return;
     bl_plain_text(call->out, call->path);
-    fprintf(call->out, ": %zu x %zu pixels, %g units between them, values ", view->grid.width,
-            view->grid.height, view->spacing);
+    fprintf(call->out, ": %zu x %zu pixels, %g unit%s between them, values ",
+            view->grid.width, view->grid.height, view->spacing, view->spacing == 1 ? "" : "s");
     bl_plain_number(call->out, outcome->minimum, 6);
     fputs(" to ", call->out);
     bl_plain_number(call->out, outcome->maximum, 6);

@@ -54,7 +54,7 @@ static void range_text(const bl_parameter *parameter, char *text, size_t size) {
     else if (parameter->kind == BL_TEXT)
         snprintf(text, size, "a path");
     else if (parameter->kind == BL_NESTED)
-        snprintf(text, size, "any noise, its keys as %s.KEY", parameter->key);
+        snprintf(text, size, "any of `bandlimit list noises`, its keys as %s.KEY", parameter->key);
     else if (parameter->kind != BL_CHOICE)
         snprintf(text, size, "%.10g to %.10g", parameter->minimum, parameter->maximum);
     else
@@ -210,9 +210,9 @@ static void print_source(FILE *out, bl_source_kind kind, const bl_signal *signal
                 signal->seed_offset == SIZE_MAX ? "none: {seed} stands nowhere in the words"
                                                 : "it can be reseeded");
     for (unsigned a = 0; a < signal->dimensions && signal->extent.size[a]; a++)
-        fprintf(out, "axis %c       %zu sample%s, %g units between them\n", "xyzw"[a],
+        fprintf(out, "axis %c       %zu sample%s, %g unit%s between them\n", "xyzw"[a],
                 signal -> extent.size[a], bl_plural(signal->extent.size[a]),
-                signal->extent.spacing[a]);
+                signal->extent.spacing[a], signal->extent.spacing[a] == 1 ? "" : "s");
     if (!sampled || !isnan(signal->facts.period[0]))
         print_facts(out, signal);
 }

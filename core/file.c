@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/interrupt.h"
+
 char *bl_file_temporary_name(const char *path) {
     // The ending stays last, because image libraries choose the format by it: dir/.name.PID.N.ext
     static unsigned counter; // only makes names differ; atomic, so threads may call this
@@ -53,6 +55,14 @@ static char *resolve(const char *path, target_kind kind) {
     return strdup(path);
 }
 
+static void release(bl_file *file) {
+    if (file->temporary)
+        bl_interrupt_forget_file(file->temporary);
+    free(file->path);
+    free(file->temporary);
+    *file = (bl_file){0};
+}
+
 bl_status bl_file_create(const char *path, bl_file *file, bl_message *message) {
     struct stat info;
     *file = (bl_file){0};
@@ -68,23 +78,17 @@ bl_status bl_file_create(const char *path, bl_file *file, bl_message *message) {
     if (file->path)
         file->temporary =
             kind == TARGET_REPLACED ? bl_file_temporary_name(file->path) : strdup(file->path);
+    if (file->path && file->temporary && kind == TARGET_REPLACED)
+        bl_interrupt_note_file(file->temporary);
     if (file->path && file->temporary)
         file->stream = fopen(file->temporary, modes[kind]);
     if (!file->stream) {
         bl_report(message, BL_DEVICE, "cannot write '%s': %s; check the folder and its permissions",
                   path, strerror(errno));
-        free(file->path);
-        free(file->temporary);
-        *file = (bl_file){0};
+        release(file);
         return BL_DEVICE;
     }
     return BL_OK;
-}
-
-static void release(bl_file *file) {
-    free(file->path);
-    free(file->temporary);
-    *file = (bl_file){0};
 }
 
 // An earlier write failed and its errno is lost; one more byte, in a file that will be removed,

@@ -41,6 +41,17 @@ int bl_read_real(const char *word, double *out) {
     return isfinite(*out);
 }
 
+int bl_read_count(const char *word, unsigned long long *out) {
+    double number;
+    if (bl_read_unsigned(word, out))
+        return 1;
+    if (!isdigit((unsigned char)*word) || !strpbrk(word, "eE") || strpbrk(word, "/xX") ||
+        !bl_read_real(word, &number) || number < 0 || number > 0x1p53 || number != floor(number))
+        return 0;
+    *out = (unsigned long long)number;
+    return 1;
+}
+
 static size_t smallest(size_t a, size_t b, size_t c) {
     size_t least = a < b ? a : b;
     return least < c ? least : c;

@@ -63,6 +63,11 @@ typedef struct bl_parameter {
 bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec, const char *text,
                              void *block, bl_message *message);
 
+// A message about a nested signal, as its opening gave it, in the words of the whole text: the key
+// with what stands before its dot, and the column that it has there. Other messages stay.
+void bl_parameters_place(const bl_parameter *parameters, const bl_spec *spec, const char *text,
+                         const void *block, bl_message *message);
+
 // The canonical text: the name and every setting that differs from its default, in the order of
 // the list. The caller frees it; NULL if out of memory.
 char *bl_parameters_text(const char *name, const bl_parameter *parameters, const void *block);
@@ -75,6 +80,8 @@ const char *bl_nearest(const char *word, const char *const *candidates);
 // Reads a whole word as a number: false on trailing letters, on nothing, and out of range.
 // bl_read_real takes 1/16 as a fraction, and neither NaN nor infinity.
 int bl_read_unsigned(const char *word, unsigned long long *out);
+// The same, or a whole number up to 2^53 written as 1e6.
+int bl_read_count(const char *word, unsigned long long *out);
 int bl_read_real(const char *word, double *out);
 
 #endif

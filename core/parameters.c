@@ -26,7 +26,7 @@ static bl_status report_value(const bl_parameter *parameter, const char *value, 
 static bl_status read_integer(const bl_parameter *parameter, const char *value, place at,
                               uint32_t *out, bl_message *message) {
     unsigned long long number;
-    if (!bl_read_unsigned(value, &number) || (double)number < parameter->minimum ||
+    if (!bl_read_count(value, &number) || (double)number < parameter->minimum ||
         (double)number > parameter->maximum) {
         char expected[96];
         snprintf(expected, sizeof expected, "a whole number from %.0f to %.0f", parameter->minimum,
@@ -195,6 +195,91 @@ static bl_status report_key(const bl_parameter *parameters, const bl_setting *se
     return bl_report(message, BL_USAGE, "unknown key '%s' at column %zu of '%s'%s%s%s keys: %s",
                      setting->key, setting->key_column, text, near ? "; did you mean '" : "",
                      near ? near : "", near ? "'? All" : ";", all);
+}
+
+// The setting that the letter at `letter` of a nested signal's text came from, and where in the whole
+// text it stands. *inside says how much of the text stands before it within the setting.
+static const bl_setting *find_origin(const bl_parameter *parameter, const bl_spec *spec,
+                                     size_t letter, size_t *inside) {
+    size_t stem = strlen(parameter->key), start = strlen(parameter->fallback);
+    for (size_t i = 0; i < spec->count; i++)
+        if (strcmp(spec->settings[i].key, parameter->key) == 0) {
+            start = strlen(spec->settings[i].value);
+            *inside = letter;
+            if (letter < start)
+                return &spec->settings[i];
+        }
+    for (size_t i = 0; i < spec->count; i++) {
+        const bl_setting *setting = &spec->settings[i];
+        if (!key_belongs(parameter, setting->key) || strlen(setting->key) <= stem + 1)
+            continue;
+        size_t length = strlen(setting->key) - stem + strlen(setting->value); // KEY=VALUE
+        start++;                                                              // of ':' or ','
+        *inside = letter - start;
+        if (letter >= start && letter < start + length)
+            return setting;
+        start += length;
+    }
+    return NULL;
+}
+
+// Where a message names a key of the nested signal: at its beginning, or in quotes.
+static const char *find_key(const char *text, const char *end, const char *key) {
+    size_t length = strlen(key);
+    if (strncmp(text, key, length) == 0)
+        return text;
+    for (const char *quote = text; (quote = strchr(quote, '\'')) && quote < end; quote++)
+        if (strncmp(quote + 1, key, length) == 0)
+            return quote + 1;
+    return NULL;
+}
+
+// "fade=cubik at column 13 of 'gnoise:fade=cubik': ..." becomes
+// "basis.fade=cubik at column 16 of 'fbm:basis.fade=cubik': ...", and what stood before it goes.
+static int place_in(const bl_parameter *parameter, const bl_spec *spec, const char *text,
+                    const char *nested, bl_message *message) {
+    char end[BL_TEXT_SIZE + 8], whole[sizeof message->text];
+    size_t column = 0, inside = 0, stem = strlen(parameter->key);
+    snprintf(end, sizeof end, " of '%s'", nested);
+    const char *begin = message->text, *word = strstr(begin, " at column "), *after = NULL;
+    for (; word && !after; word = after ? word : strstr(word + 1, " at column "))
+        if (sscanf(word, " at column %zu", &column) == 1) {
+            const char *rest = word + strlen(" at column ");
+            rest += strspn(rest, "0123456789");
+            after = strncmp(rest, end, strlen(end)) == 0 ? rest + strlen(end) : NULL;
+            if (after)
+                break;
+        }
+    const bl_setting *origin =
+        after && column ? find_origin(parameter, spec, column - 1, &inside) : NULL;
+    if (!origin)
+        return 0;
+    char prefix[BL_TEXT_SIZE + 24];
+    snprintf(prefix, sizeof prefix, "in the %s '%s': ", parameter->key, nested);
+    if (strncmp(begin, prefix, strlen(prefix)) == 0)
+        begin += strlen(prefix);
+    int dotted = strlen(origin->key) > stem;
+    const char *key = dotted ? find_key(begin, word, origin->key + stem + 1) : NULL;
+    if (dotted && !key)
+        return 0;
+    if (!dotted)
+        column = origin->value_column + inside;
+    else // of a key, where its first dot-separated name begins
+        column = origin->key_column + (inside ? stem + 1 + inside : 0);
+    int head = key ? (int)(key - begin) : 0;
+    snprintf(whole, sizeof whole, "%.*s%s%s%.*s at column %zu of '%s'%s", head, begin,
+             dotted ? parameter->key : "", dotted ? "." : "", (int)(word - begin) - head,
+             begin + head, column, text, after);
+    memcpy(message->text, whole, sizeof whole);
+    return 1;
+}
+
+void bl_parameters_place(const bl_parameter *parameters, const bl_spec *spec, const char *text,
+                         const void *block, bl_message *message) {
+    for (const bl_parameter *parameter = parameters; message && parameter->key; parameter++)
+        if (parameter->kind == BL_NESTED &&
+            place_in(parameter, spec, text, (const char *)block + parameter->offset, message))
+            return;
 }
 
 static bl_status read_dotted(const bl_parameter *parameters, const bl_spec *spec, const char *text,

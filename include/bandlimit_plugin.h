@@ -33,6 +33,8 @@ extern "C" {
 // NULL. The value must depend on p, dims and seed alone, and the function may be called from
 // several threads at once, unless the claims have BANDLIMIT_NOT_THREAD_SAFE. A NaN says that there
 // is no value.
+//
+// Seeds use all 64 bits: (double)seed added to a place leaves nothing of the place. Hash the seed.
 typedef double bandlimit_function(const double p[4], unsigned dims, uint64_t seed, void *user);
 
 // SYMBOL_init, optional: makes what the function needs for a seed (a table of random numbers, say)

@@ -128,6 +128,8 @@ bl_status bl_noise_open(const char *text, bl_isa isa, bl_signal **signal, bl_mes
         status = noise->validate(block, message);
     if (status == BL_OK)
         status = make_signal(noise, block, signal, message);
+    if (status == BL_USAGE && block)
+        bl_parameters_place(noise->parameters, &spec, text, block, message);
     free(block);
     bl_spec_free(&spec);
     return status;

@@ -36,6 +36,12 @@ static int dots(const char *key) {
 static bl_status check_basis(const char *basis, bl_message *message) {
     bl_spec spec;
     bl_message inner = {""};
+    size_t name = strcspn(basis, ":");
+    if (strcspn(basis, "./") < name || strncmp(basis, "cmd:", 4) == 0)
+        return bl_report(message, BL_USAGE,
+                         "the basis '%s' is no noise of the registry: it must be one of "
+                         "`bandlimit list noises`, not a file, a function or a program",
+                         basis);
     bl_status status = bl_spec_parse(basis, &spec, &inner);
     if (status != BL_OK)
         return report_basis(basis, inner.text, status, message);

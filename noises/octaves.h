@@ -169,7 +169,7 @@ extern const char *const bl_octave_basis_examples[];
          .offset = offsetof(block, field.basis),                                                   \
          .fallback = "gnoise",                                                                     \
          .unit = "",                                                                               \
-         .help = "the noise of each octave; its settings are basis.KEY=VALUE",                     \
+         .help = "the noise of each octave, of the registry; its settings are basis.KEY=VALUE",    \
          .examples = bl_octave_basis_examples},                                                    \
         {.key = "width",                                                                           \
          .kind = BL_REAL,                                                                          \

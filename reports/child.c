@@ -14,6 +14,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "core/interrupt.h"
+
 enum { TAIL = 1024, QUOTED = 480, GRACE_MS = 250, STANDARD = 3 };
 
 struct bl_child {
@@ -90,8 +92,11 @@ static int spawn(bl_child *child, char *const *words, const int theirs[STANDARD]
     posix_spawnattr_setpgroup(&attributes, 0);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK |
                                               POSIX_SPAWN_SETPGROUP);
+    sigset_t before;
+    bl_interrupt_child_starts(&before);
     if (!failed)
         failed = posix_spawnp(&child->pid, words[0], &actions, &attributes, words, environ);
+    bl_interrupt_child_started(&before, failed ? 0 : child->pid);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     return failed;
@@ -226,6 +231,7 @@ static int has_ended(const bl_child *child) {
 // somebody else reaped it (a program that ignores SIGCHLD).
 static int reap(bl_child *child, int *status) {
     kill(-child->pid, SIGKILL);
+    bl_interrupt_forget_group(child->pid);
     pid_t got;
     do
         got = waitpid(child->pid, status, 0);

@@ -150,7 +150,7 @@ bl_status bl_run_csv(bl_run *run, const char *name, const char *what, const bl_c
     return status;
 }
 
-// What the page tells of a plot: its texts, and the legend of the first panel.
+// What the page tells of a plot: its texts, and its legend.
 static void keep_picture(bl_run *run, const char *name, const bl_plot *plot,
                          const char *alternative) {
     if (!grow(run, &run->plots, run->plot_count, sizeof *run->plots))
@@ -159,7 +159,7 @@ static void keep_picture(bl_run *run, const char *name, const bl_plot *plot,
     *kept = (bl_run_picture){.name = keep(run, strdup(name)),
                              .text = keep(run, strdup(alternative)),
                              .title = keep(run, strdup(plot->title))};
-    const bl_panel *panel = &plot->panels[0];
+    const bl_panel *panel = bl_plot_legend(plot);
     for (size_t i = 0; i < panel->series_count && kept->key_count < BL_KEYS; i++)
         if (panel->series[i].label)
             kept->keys[kept->key_count++] =

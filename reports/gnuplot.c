@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "core/file.h"
+#include "core/interrupt.h"
 #include "reports/plot.h"
 
 extern char **environ;
@@ -45,8 +46,19 @@ static int spawn_gnuplot(const char *folder, const char *script, const char *pre
     // -d keeps a user's start-up file out of the figures.
     const char *const arguments[] = {"gnuplot", "-d", "-e", set_prefix, script, NULL};
     posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
+    sigset_t before, none;
+    sigemptyset(&none);
     if (posix_spawn_file_actions_init(&actions) != 0)
         return ENOMEM;
+    if (posix_spawnattr_init(&attributes) != 0) {
+        posix_spawn_file_actions_destroy(&actions);
+        return ENOMEM;
+    }
+    // A group of its own, which ends with us; the mask that is held while it starts is not for it.
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
     int failed = posix_spawn_file_actions_addchdir_np(&actions, folder);
     if (!failed)
         failed = posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
@@ -54,8 +66,12 @@ static int spawn_gnuplot(const char *folder, const char *script, const char *pre
         failed = posix_spawn_file_actions_adddup2(&actions, to, 1);
     if (!failed)
         failed = posix_spawn_file_actions_adddup2(&actions, to, 2);
+    bl_interrupt_child_starts(&before);
     if (!failed)
-        failed = posix_spawnp(child, "gnuplot", &actions, NULL, (char *const *)arguments, environ);
+        failed = posix_spawnp(child, "gnuplot", &actions, &attributes, (char *const *)arguments,
+                              environ);
+    bl_interrupt_child_started(&before, failed ? 0 : *child);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     return failed;
 }
@@ -79,6 +95,7 @@ static bl_status draw(const char *folder, const char *script, const char *prefix
     listen_to(ends[0], said);
     close(ends[0]);
     int state = 0;
+    bl_interrupt_forget_group(child);
     while (waitpid(child, &state, 0) < 0 && errno == EINTR)
         ;
     if (WIFEXITED(state) && WEXITSTATUS(state) == 0)
@@ -127,27 +144,35 @@ static bl_status install(const char *folder, const char *prefix, const char *nam
     return status;
 }
 
-static void discard(const char *folder, const char *prefix, const char *name, const char *ending) {
+// Where gnuplot leaves a picture; NULL out of memory. Noted, so that a signal removes it.
+static char *note_picture(const char *folder, const char *prefix, const char *name,
+                          const char *ending) {
     char *path = NULL;
     if (asprintf(&path, "%s/%s%s.%s", folder, prefix, name, ending) < 0)
-        return;
-    unlink(path);
-    free(path);
+        return NULL;
+    bl_interrupt_note_file(path);
+    return path;
 }
 
 bl_status bl_plot_run(const char *folder, const char *name, int with_pdf, bl_message *message) {
     static const char *const endings[] = {"svg", "png", "pdf"};
     int count = with_pdf ? 3 : 2;
-    char prefix[40], *script = NULL;
+    char prefix[40], *script = NULL, *pictures[3];
     snprintf(prefix, sizeof prefix, ".%ld-", (long)getpid());
     if (asprintf(&script, "%s.gp", name) < 0)
         return bl_report(message, BL_DEVICE, "out of memory");
+    for (int i = 0; i < count; i++)
+        pictures[i] = note_picture(folder, prefix, name, endings[i]);
     bl_status status = draw(folder, script, prefix, message);
     for (int i = 0; i < count; i++) {
         if (status == BL_OK)
             status = install(folder, prefix, name, endings[i], message);
+        if (!pictures[i])
+            continue;
         if (status != BL_OK)
-            discard(folder, prefix, name, endings[i]);
+            unlink(pictures[i]);
+        bl_interrupt_forget_file(pictures[i]);
+        free(pictures[i]);
     }
     free(script);
     return status;

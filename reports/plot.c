@@ -201,6 +201,21 @@ static void put_legend_entry(FILE *out, const bl_series *series, const layout *l
     put_label(out, series->label, place);
 }
 
+static size_t labelled(const bl_panel *panel) {
+    size_t count = 0;
+    for (size_t i = 0; i < panel->series_count; i++)
+        count += panel->series[i].label != NULL;
+    return count;
+}
+
+const bl_panel *bl_plot_legend(const bl_plot *plot) {
+    const bl_panel *most = &plot->panels[0];
+    for (size_t i = 1; i < plot->panel_count; i++)
+        if (labelled(&plot->panels[i]) > labelled(most))
+            most = &plot->panels[i];
+    return most;
+}
+
 static void put_legend(FILE *out, const bl_panel *panel, const layout *l) {
     double left = LEFT;
     for (size_t i = 0; i < panel->series_count; i++) {
@@ -237,7 +252,7 @@ static void put_page_texts(FILE *out, const bl_plot *plot, const layout *l) {
     put_label(out, plot->x.label, "screen 0.5, screen 0 center offset 0, character 0.9");
     put_label(out, plot->y.label,
               "screen 0, screen 0.5 center rotate by 90 offset character 1.4, 0");
-    put_legend(out, &plot->panels[0], l);
+    put_legend(out, bl_plot_legend(plot), l);
 }
 
 // The codes 0..255 of the picture become values again, for the numbers of the scale.

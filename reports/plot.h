@@ -41,7 +41,7 @@ typedef struct bl_series {
     const char *file;  // "spectra.csv"
     const char *x, *y; // names of columns
     const char *upper; // of a band; else NULL
-    const char *label; // in the legend, which is read off the first panel; NULL: not in it
+    const char *label; // in the legend of the plot (see bl_plot_legend); NULL: not in it
     size_t skip;       // rows at the head of the file that are not drawn
 } bl_series;
 
@@ -81,6 +81,9 @@ typedef struct bl_plot {
     double pixel;            // of image panels: the size of a pixel in units of the axes
     const char *scale_label; // of image panels: the name of the value
 } bl_plot;
+
+// The panel that the legend is read off: the first with the most series that have a label.
+const bl_panel *bl_plot_legend(const bl_plot *plot);
 
 // Writes the script `folder`/`name`.gp, which makes NAME.svg and NAME.png (and NAME.pdf) beside
 // itself when it is run by hand, as `gnuplot NAME.gp`. Errors: BL_DEVICE.

@@ -16,6 +16,7 @@
 
 #include "core/grammar.h"
 #include "include/bandlimit_plugin.h"
+#include "reports/crash.h"
 #include "reports/shared_object.h"
 #include "reports/source_kinds.h"
 
@@ -25,6 +26,8 @@ enum { DEFAULT_DIMS = 3, CLAIMS_ROOM = 1024 };
 typedef struct plugin_source {
     void *handle;
     char *path, *symbol;
+    char *crash; // what is said if it crashes
+    size_t crash_length;
     bandlimit_function *function;
     bandlimit_init *init;
     bandlimit_free *free;
@@ -65,9 +68,11 @@ static pthread_mutex_t one_at_a_time = PTHREAD_MUTEX_INITIALIZER;
 static void enter(const plugin_source *plugin) {
     if (plugin->one_at_a_time)
         pthread_mutex_lock(&one_at_a_time);
+    bl_crash_enter(plugin->crash, plugin->crash_length);
 }
 
 static void leave(const plugin_source *plugin) {
+    bl_crash_leave();
     if (plugin->one_at_a_time)
         pthread_mutex_unlock(&one_at_a_time);
 }
@@ -140,6 +145,7 @@ static void drop(plugin_source *plugin) {
         dlclose(plugin->handle);
     free(plugin->path);
     free(plugin->symbol);
+    free(plugin->crash);
     free(plugin);
 }
 
@@ -199,12 +205,38 @@ static bl_status find_companion(const plugin_source *plugin, const char *suffix,
     return status;
 }
 
+enum { FUNCTIONS = 5 };
+static const char *const suffixes[FUNCTIONS] = {"", "_init", "_free", "_rows", "_claims"};
+
+// A companion has another type than a function of values: calling it as one would crash.
+static bl_status check_no_companion(const plugin_source *plugin, bl_message *message) {
+    const char *symbol = plugin->symbol;
+    size_t length = strlen(symbol);
+    bl_status status = BL_OK;
+    for (int i = 1; i < FUNCTIONS && status == BL_OK; i++) {
+        size_t tail = strlen(suffixes[i]);
+        if (length <= tail || strcmp(symbol + length - tail, suffixes[i]) != 0)
+            continue;
+        char *owner = strndup(symbol, length - tail);
+        bl_any_function *found = NULL;
+        if (!owner)
+            return bl_report(message, BL_DEVICE, "out of memory");
+        if (bl_shared_object_find(plugin->handle, plugin->path, owner, &found, NULL) == BL_OK &&
+            found)
+            status = bl_report(message, BL_USAGE,
+                               "'%s' in '%s' is a companion of '%s' and no function of values; "
+                               "name %s:%s",
+                               symbol, plugin->path, owner, plugin->path, owner);
+        free(owner);
+    }
+    return status;
+}
+
 static bl_status find_functions(plugin_source *plugin, bandlimit_claim **claim,
                                 bl_message *message) {
-    bl_any_function *found[5] = {NULL};
-    static const char *const suffixes[] = {"", "_init", "_free", "_rows", "_claims"};
-    bl_status status = BL_OK;
-    for (int i = 0; i < 5 && status == BL_OK; i++)
+    bl_any_function *found[FUNCTIONS] = {NULL};
+    bl_status status = check_no_companion(plugin, message);
+    for (int i = 0; i < FUNCTIONS && status == BL_OK; i++)
         status = find_companion(plugin, suffixes[i], &found[i], message);
     if (status == BL_OK && !found[0])
         status = report_missing(plugin, message);
@@ -265,8 +297,10 @@ static bl_status read_claims(const plugin_source *plugin, bandlimit_claim *claim
                                             .period = {NAN, NAN, NAN, NAN},
                                             .cell = NAN,
                                             .continuity = -2};
+    enter(plugin);
     if (claim)
         claim(&room.claims);
+    leave(plugin);
     *claims = room.claims;
     int beyond = 0;
     for (size_t i = sizeof *claims; i < sizeof room.bytes; i++)
@@ -371,10 +405,19 @@ bl_status bl_plugin_open(const char *text, bl_signal **signal, bl_message *messa
     opened->path = strndup(text, (size_t)(colon - text));
     opened->symbol = strndup(colon + 1, length);
     block.plugin = opened;
-    if (!opened->path || !opened->symbol)
+    int said = asprintf(&opened->crash, "bandlimit: crashed inside %.*s\n",
+                        (int)(colon - text) + 1 + (int)length, text);
+    opened->crash_length = said < 0 ? 0 : (size_t)said;
+    if (said < 0)
+        opened->crash = NULL;
+    if (!opened->path || !opened->symbol || !opened->crash)
         status = bl_report(message, BL_DEVICE, "out of memory opening '%s'", text);
-    if (status == BL_OK)
+    bl_crash_watch();
+    if (status == BL_OK) {
+        enter(opened); // constructors run
         status = bl_shared_object_open(opened->path, &opened->handle, message);
+        leave(opened);
+    }
     if (status == BL_OK)
         status = make_signal(opened, &block, signal, message);
     drop(opened); // the signal has its own share

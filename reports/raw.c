@@ -59,7 +59,7 @@ static const bl_parameter raw_parameters[] = {
     {.key = "spacing",
      .kind = BL_REAL,
      .offset = AT(spacing),
-     .minimum = 1e-12,
+     .minimum = -1e12, // what is not above 0 has words of its own
      .maximum = 1e12,
      .fallback = "1",
      .unit = "units",
@@ -257,6 +257,10 @@ bl_status bl_raw_open(const char *text, bl_signal **signal, bl_message *message)
     double samples;
     bl_status status = bl_source_settings(raw_parameters, text, colon ? colon + 1 : NULL,
                                           colon ? strlen(colon + 1) : 0, &settings, message);
+    if (status == BL_OK && !(settings.spacing > 0))
+        status = bl_report(message, BL_USAGE,
+                           "'%s': spacing=%g: units between samples are above 0", text,
+                           settings.spacing);
     if (status == BL_OK)
         status = read_size(text, settings.size, &block.tile, &samples, message);
     if (status != BL_OK)

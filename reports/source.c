@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/grammar.h"
@@ -95,7 +96,7 @@ static const bl_parameter image_parameters[] = {
     {.key = "spacing",
      .kind = BL_REAL,
      .offset = offsetof(image_settings, spacing),
-     .minimum = 0,
+     .minimum = -1e12, // what is not above 0 has words of its own
      .maximum = 1e12,
      .fallback = "0",
      .unit = "units",
@@ -188,9 +189,47 @@ static bl_status check_keys(const bl_spec *spec, bl_message *message) {
     return BL_OK;
 }
 
+// What stands in for a picture by mistake: code, which has a way of its own.
+static bl_status refuse_code(const char *text, bl_message *message) {
+    static const struct {
+        const char *ending, *command;
+    } kinds[] = {{".py", "python3 "}, {".sh", "sh "}, {".pl", "perl "}, {".c", NULL},
+                 {".cc", NULL},       {".cpp", NULL}, {".cxx", NULL}};
+    size_t length = access(text, F_OK) == 0 ? strlen(text) : strcspn(text, ":");
+    char head[4] = "", path[BL_TEXT_SIZE];
+    snprintf(path, sizeof path, "%.*s", (int)(length < sizeof path ? length : 0), text);
+    struct stat info;
+    FILE *stream = stat(path, &info) == 0 && S_ISREG(info.st_mode) ? fopen(path, "rb") : NULL;
+    if (!stream)
+        return BL_OK;
+    size_t got = fread(head, 1, sizeof head, stream);
+    fclose(stream);
+    const char *here = strchr(path, '/') ? "" : "./";
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        if (!ends_with(path, length, kinds[i].ending))
+            continue;
+        if (kinds[i].command)
+            return bl_report(message, BL_USAGE, "'%s' is a program: ask it as 'cmd:%s%s'", path,
+                             kinds[i].command, path);
+        int stem = (int)(length - strlen(kinds[i].ending));
+        return bl_report(message, BL_USAGE,
+                         "'%s' is source text: build it (cc -O2 -fPIC -shared %s -o %.*s.so -lm) "
+                         "and name its function as %s%.*s.so:FUNCTION",
+                         path, path, stem, path, here, stem, path);
+    }
+    int runs = (got >= 2 && memcmp(head, "#!", 2) == 0) ||
+               (got == 4 && memcmp(head, "\177ELF", 4) == 0 && access(path, X_OK) == 0);
+    return runs ? bl_report(message, BL_USAGE, "'%s' is a program: ask it as 'cmd:%s%s'", path,
+                            here, path)
+                : BL_OK;
+}
+
 static bl_status open_image(const char *text, bl_signal **signal, bl_message *message) {
     bl_image_source source = {.path = text, .part = -1, .text = text};
     source.memory_bytes = (size_t)1 << 30;
+    bl_status code = refuse_code(text, message);
+    if (code != BL_OK)
+        return code;
     if (access(text, F_OK) == 0) // a file whose own name holds a colon
         return bl_image_open(&source, signal, message);
     bl_spec spec;

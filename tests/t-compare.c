@@ -108,6 +108,65 @@ static void test_a_program_gets_the_seed_where_its_words_have_it(void **state) {
     free(graphs);
 }
 
+static const char *function(const char *name) {
+    static char text[400];
+    const char *build = getenv("BL_BUILD");
+    snprintf(text, sizeof text, "%s/tests/plugins/functions.so:%s", build ? build : "build", name);
+    return text;
+}
+
+static void test_a_constant_has_graphs_and_a_reason_for_what_it_lacks(void **state) {
+    (void)state;
+    static const char *const expected[] = {"no histogram of", "no spectrum along a line of",
+                                           "no spectrum in a slice of", "it is constant"};
+    char folder[300], path[400];
+    snprintf(folder, sizeof folder, "%s", bl_test_path("constant"));
+    json_decref(RUN_JSON("compare", function("constant"), "--quick", "-o", folder, "--json"));
+    snprintf(path, sizeof path, "%s/index.html", folder);
+    char *page = bl_test_read(path);
+    assert_non_null(page);
+    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++)
+        if (!strstr(page, expected[i]))
+            fail_msg("the page lacks '%s'", expected[i]);
+    free(page);
+    snprintf(path, sizeof path, "%s/compare-line/graphs.gp", folder);
+    char *script = bl_test_read(path);
+    assert_non_null(script);
+    assert_non_null(strstr(script, "set yrange [-0.899999999:1.1]"));
+    free(script);
+    snprintf(path, sizeof path, "%s/compare-histogram/histograms.svg", folder);
+    assert_int_not_equal(access(path, F_OK), 0); // no empty picture
+}
+
+static void test_the_legend_has_the_closed_form_that_a_later_panel_shows(void **state) {
+    (void)state;
+    char folder[300], path[400];
+    snprintf(folder, sizeof folder, "%s", bl_test_path("legend"));
+    json_decref(RUN_JSON("compare", function("full"), "gnoise", "--quick", "-o", folder,
+                         "--json"));
+    snprintf(path, sizeof path, "%s/compare-spectrum/spectra-line.gp", folder);
+    char *script = bl_test_read(path);
+    assert_non_null(script);
+    assert_non_null(strstr(script, "closed form"));
+    free(script);
+    snprintf(path, sizeof path, "%s/index.html", folder);
+    char *page = bl_test_read(path);
+    assert_non_null(page);
+    assert_non_null(strstr(page, "closed form</span>"));
+    free(page);
+}
+
+static void test_what_is_no_number_is_told_before_anything_is_made(void **state) {
+    (void)state;
+    const char *folder = bl_test_path("nowhere");
+    bl_ran ran =
+        bl_run_program("compare", "gnoise", function("nowhere"), "--quick", "-o", folder);
+    assert_int_equal(ran.status, 3);
+    assert_non_null(strstr(ran.err, "functions.so:nowhere' gives nan at ("));
+    assert_int_not_equal(access(folder, F_OK), 0);
+    bl_ran_free(&ran);
+}
+
 static void test_bad_words_leave_nothing(void **state) {
     (void)state;
     const char *folder = bl_test_path("none");
@@ -129,6 +188,9 @@ int main(void) {
         cmocka_unit_test(test_all_figures_are_made_for_noises_and_images),
         cmocka_unit_test(test_its_numbers_are_those_of_the_other_verbs),
         cmocka_unit_test(test_a_program_gets_the_seed_where_its_words_have_it),
+        cmocka_unit_test(test_a_constant_has_graphs_and_a_reason_for_what_it_lacks),
+        cmocka_unit_test(test_the_legend_has_the_closed_form_that_a_later_panel_shows),
+        cmocka_unit_test(test_what_is_no_number_is_told_before_anything_is_made),
         cmocka_unit_test(test_bad_words_leave_nothing),
     };
     bl_set_filter();

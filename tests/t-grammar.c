@@ -155,8 +155,21 @@ static void test_numbers_are_whole_words(void **state) {
                  bl_read_real("1 ", &d) || bl_read_real("1/2/3", &d));
 }
 
+static void test_a_whole_number_may_be_written_with_an_exponent(void **state) {
+    (void)state;
+    block b;
+    unsigned long long n;
+    bl_message message;
+    assert_int_equal(read_text("n:impulses=1e1", &b, &message), BL_OK);
+    assert_int_equal(b.impulses, 10);
+    assert_true(bl_read_count("1e12", &n) && n == 1000000000000ull);
+    assert_false(bl_read_count("1.5", &n) || bl_read_count("1e-1", &n) ||
+                 bl_read_count("-1e3", &n) || bl_read_count("1e16", &n) || bl_read_count("e3", &n));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_a_whole_number_may_be_written_with_an_exponent),
         cmocka_unit_test(test_a_text_fills_the_block_and_defaults_the_rest),
         cmocka_unit_test(test_the_canonical_text_reads_back_as_the_same_block),
         cmocka_unit_test(test_a_default_written_otherwise_is_left_out_of_the_canonical_text),

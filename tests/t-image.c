@@ -347,7 +347,7 @@ static void test_every_bad_setting_is_refused_with_its_reason(void **state) {
     refuse("good.exr", ":channel=3", BL_USAGE, "0 to 2");
     refuse("good.exr", ":channel=R,channel=G", BL_USAGE, "twice");
     refuse("good.exr", ":spacing=0", BL_USAGE, "above 0");
-    refuse("good.exr", ":spacing=-1", BL_USAGE, "spacing");
+    refuse("good.exr", ":spacing=-1", BL_USAGE, "above 0");
     refuse("good.exr", ":spacing=abc", BL_USAGE, "spacing");
     refuse("good.exr", ":spacing=nan", BL_USAGE, "spacing");
     refuse("good.exr", ":part=1.5", BL_USAGE, "part");

@@ -525,8 +525,12 @@ static void test_errors_name_the_basis(void **state) {
         const char *text, *words[3];
     } cases[] = {
         {"fractalsum:basis=gnoice", {"in the basis 'gnoice'", "did you mean 'gnoise'"}},
-        {"fbm:basis.fad=cubic", {"in the basis 'gnoise:fad=cubic'", "column 8", "'fade'"}},
-        {"ridged:basis=vnoise,basis.interp=cubic", {"in the basis", "interp=cubic", "linear"}},
+        {"fbm:basis.fad=cubic", {"'basis.fad' at column 5 of 'fbm:basis.fad=cubic'", "'fade'"}},
+        {"ridged:basis=vnoise,basis.interp=cubic",
+         {"basis.interp=cubic at column 34 of 'ridged:", "linear"}},
+        {"fbm:basis=fbm,octaves=2,basis.basis.fdae=cubic",
+         {"'basis.basis.fdae' at column 25 of 'fbm:basis=fbm"}},
+        {"fbm:basis=./my.so:mine", {"list noises"}},
         {"turbulence:basis.seed=3", {"in the basis 'gnoise:seed=3'", "give seed="}},
         {"fbm:basis=fbm,basis.basis.seed=3", {"in the basis 'fbm:basis.seed=3'", "in the basis"}},
         {"fbm:basis.basis.basis.basis.basis=fbm", {"in the basis", "more than four"}},

@@ -56,6 +56,19 @@ static void test_a_plot_has_letters_titles_legend_and_limits(void **state) {
     free(svg);
 }
 
+static void test_the_legend_is_that_of_the_panel_with_the_most_series(void **state) {
+    (void)state;
+    static const bl_panel poor_first[] = {
+        {"first", series, 2, NULL}, {"second", series, 4, NULL}, {"third", series, 3, NULL}};
+    bl_plot plot = example();
+    plot.panels = poor_first;
+    assert_ptr_equal(bl_plot_legend(&plot), &poor_first[1]);
+    char *svg = draw(&plot, "legend", 0);
+    assert_non_null(svg);
+    assert_non_null(strstr(svg, "closed_form^2"));
+    free(svg);
+}
+
 static void test_a_plot_is_the_same_bytes_every_time(void **state) {
     (void)state;
     bl_plot plot = example();
@@ -129,6 +142,7 @@ static void test_the_colours_of_the_palette_differ(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_plot_has_letters_titles_legend_and_limits),
+        cmocka_unit_test(test_the_legend_is_that_of_the_panel_with_the_most_series),
         cmocka_unit_test(test_a_plot_is_the_same_bytes_every_time),
         cmocka_unit_test(test_the_script_runs_by_hand_in_its_folder),
         cmocka_unit_test(test_a_failing_gnuplot_reports_what_it_said_and_leaves_no_picture),

@@ -6,12 +6,14 @@
 #include "tests/test.h"
 
 #include <dlfcn.h>
+#include <signal.h>
 
 #include "core/grid.h"
 #include "include/bandlimit_plugin.h"
 #include "reports/source.h"
 #include "spectra/histogram.h"
 #include "spectra/psd.h"
+#include "tests/program.h"
 
 static const char *library(void) {
     static char path[512];
@@ -335,6 +337,10 @@ static void test_every_bad_text_is_refused_with_its_reason(void **state) {
     refuse("plane", BL_USAGE, "the nearest is 'plain'");
     refuse("malloc", BL_USAGE, "exports no function"); // of another library
     refuse("data", BL_USAGE, "is data");
+    refuse("full_init", BL_USAGE, "a companion of 'full'");
+    refuse("full_free", BL_USAGE, "a companion of 'full'");
+    refuse("full_rows,dims=2", BL_USAGE, "a companion of 'full'");
+    refuse("full_claims", BL_USAGE, "a companion of 'full'");
     refuse("", BL_USAGE, "names no function");
     refuse(",seed=3", BL_USAGE, "names no function");
     refuse("plain,", BL_USAGE, "expected key=value");
@@ -394,6 +400,35 @@ static void test_what_ends_in_so_is_a_function(void **state) {
     assert_int_equal(bl_source_kind_of(""), BL_SOURCE_NOISE);
 }
 
+// The signal that ends it stays the one of the crash. A sanitizer has a handler of its own.
+static void test_a_crash_names_the_function(void **state) {
+    (void)state;
+    static const struct {
+        const char *function;
+        int number;
+    } cases[] = {
+        {"crash_read", SIGSEGV}, {"crash_abort", SIGABRT}, {"crash_deep", SIGSEGV}};
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    skip();
+#endif
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1024], expected[1100];
+        snprintf(text, sizeof text, "%s:%s", library(), cases[i].function);
+        snprintf(expected, sizeof expected, "bandlimit: crashed inside %s\n", text);
+        bl_ran ran = bl_run_program("eval", text, "1");
+        if (ran.status != 128 + cases[i].number || strcmp(ran.err, expected) != 0)
+            fail_msg("%s: status %d, '%s'", text, ran.status, ran.err);
+        bl_ran_free(&ran);
+        ran = bl_run_program("histogram", text, "--quick"); // in any thread
+        assert_int_equal(ran.status, 128 + cases[i].number);
+        assert_non_null(strstr(ran.err, expected));
+        bl_ran_free(&ran);
+        ran = bl_run_program("eval", text, "0");
+        assert_int_equal(ran.status, 0);
+        bl_ran_free(&ran);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_values_are_those_of_direct_calls),
@@ -413,6 +448,7 @@ int main(void) {
         cmocka_unit_test(test_a_failing_init_leaves_a_reseeded_signal_out),
         cmocka_unit_test(test_every_bad_file_is_refused_with_its_reason),
         cmocka_unit_test(test_what_ends_in_so_is_a_function),
+        cmocka_unit_test(test_a_crash_names_the_function),
     };
     return bl_run_tests(tests);
 }

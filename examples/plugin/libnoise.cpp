@@ -43,6 +43,9 @@ BANDLIMIT_EXPORT double value(const double p[4], unsigned, uint64_t seed, void *
 
 BANDLIMIT_EXPORT void value_claims(bandlimit_claims *claims) {
     claim(claims);
-    claims->lower = -1; // a weighted mean of lattice values in -1 to 1
-    claims->upper = 1;
+    // A weighted mean of lattice values, which are 1 - n / 2^30 for a whole number n: of 31 bits,
+    // and the mean stands in -1 to 1. As Debian builds it n has a sign, so half of the lattice
+    // values lie above 1, up to 3.
+    claims->lower = -1;
+    claims->upper = 3;
 }

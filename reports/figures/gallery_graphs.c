@@ -51,6 +51,7 @@ static bl_status plot_graphs(bl_run *run, const bl_gallery *gallery,
     return status;
 }
 
+// A constant, or nothing finite at all, gets an axis with numbers, too.
 static bl_axis axis_of_values(const bl_axis *wanted, const double *values, size_t count) {
     bl_axis axis = *wanted;
     double lowest = INFINITY, highest = -INFINITY;
@@ -60,11 +61,11 @@ static bl_axis axis_of_values(const bl_axis *wanted, const double *values, size_
         lowest = fmin(lowest, values[i]);
         highest = fmax(highest, values[i]);
     }
-    double margin = 0.05 * (highest - lowest);
-    if (margin > 0) {
-        axis.from = lowest - margin;
-        axis.to = highest + margin;
-    }
+    if (!(lowest <= highest))
+        lowest = highest = 0;
+    double margin = highest > lowest ? 0.05 * (highest - lowest) : fmax(1, fabs(highest));
+    axis.from = lowest - margin;
+    axis.to = highest + margin;
     return axis;
 }
 

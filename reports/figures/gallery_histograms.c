@@ -83,12 +83,17 @@ static bl_status write_table(bl_run *run, const bl_gallery *gallery, const doubl
                       columns, 1 + NUMBERS, gallery->count, message);
 }
 
-static bl_status plot_histograms(bl_run *run, const bl_gallery *gallery, const char *title,
-                                 const char *alternative, double highest, bl_message *message) {
+// Draws those whose values vary.
+static bl_status plot_histograms(bl_run *run, const bl_gallery *gallery, const int *varies,
+                                 const char *title, const char *alternative, double highest,
+                                 bl_message *message) {
+    size_t count = 0;
     bl_series *series = calloc(2 * gallery->count, sizeof *series);
     bl_panel *panels = calloc(gallery->count, sizeof *panels);
     bl_status status = series && panels ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
     for (size_t i = 0; i < gallery->count && status == BL_OK; i++) {
+        if (!varies[i])
+            continue;
         const char *file = bl_run_text(run, "histogram-%s.csv", gallery->key[i]);
         series[2 * i] = (bl_series){BL_STROKE_DASHED,
                                     BL_INK_THEORY,
@@ -101,7 +106,7 @@ static bl_status plot_histograms(bl_run *run, const bl_gallery *gallery, const c
         series[2 * i + 1] = (bl_series){
             BL_STROKE_LINE, BL_INK_MEASURED, file, "deviations", "density_per_deviation",
             NULL,           "measured",      0};
-        panels[i] = (bl_panel){gallery->label[i], series + 2 * i, 2, NULL};
+        panels[count++] = (bl_panel){gallery->label[i], series + 2 * i, 2, NULL};
     }
     const bl_plot plot = {
         .title = title,
@@ -110,10 +115,10 @@ static bl_status plot_histograms(bl_run *run, const bl_gallery *gallery, const c
               .to = fmax(0.5, 1.05 * highest),
               .tick = highest < 1 ? 0.2 : 0},
         .panels = panels,
-        .panel_count = gallery->count,
-        .columns = bl_gallery_columns(gallery->count),
+        .panel_count = count,
+        .columns = bl_gallery_columns(count),
         .aspect = 0.7};
-    if (status == BL_OK)
+    if (status == BL_OK && count)
         status = bl_run_plot(run, "histograms", &plot, alternative, message);
     free(series);
     free(panels);
@@ -131,7 +136,8 @@ bl_status bl_gallery_draw_histograms(bl_run *run, const bl_gallery *gallery, siz
     bl_run_setting(run, "samples of the histograms",
                    bl_run_text(run, "%zu places, %d bins", samples, BINS));
     double highest = 0, *table = malloc(NUMBERS * gallery->count * sizeof *table);
-    bl_status status = table ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
+    int *varies = calloc(gallery->count, sizeof *varies);
+    bl_status status = table && varies ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
     for (size_t i = 0; i < gallery->count && status == BL_OK; i++) {
         bl_histogram histogram;
         bl_run_step(run, bl_run_text(run, "histogram of %s", gallery->key[i]));
@@ -139,12 +145,19 @@ bl_status bl_gallery_draw_histograms(bl_run *run, const bl_gallery *gallery, siz
         if (status != BL_OK)
             break;
         fill_numbers(gallery->signal[i], &histogram, table, gallery->count, i);
-        status = write_histogram(run, gallery, i, &histogram, &highest, message);
+        varies[i] = histogram.minimum < histogram.maximum;
+        if (varies[i])
+            status = write_histogram(run, gallery, i, &histogram, &highest, message);
+        else
+            bl_run_setting(run, bl_run_text(run, "no histogram of %s", gallery->label[i]),
+                           bl_run_text(run, "it is constant: %.9g", histogram.minimum));
         bl_histogram_free(&histogram);
     }
     if (status == BL_OK)
         status = write_table(run, gallery, table, message);
+    if (status == BL_OK)
+        status = plot_histograms(run, gallery, varies, title, alternative, highest, message);
     free(table);
-    return status == BL_OK ? plot_histograms(run, gallery, title, alternative, highest, message)
-                           : status;
+    free(varies);
+    return status;
 }

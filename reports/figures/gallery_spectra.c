@@ -9,6 +9,11 @@
 
 static const double lowest_db = -200; // an empty bin, far below what is drawn
 
+// The samples are floats: what varies at all varies by more than the rounding of a mean in double.
+static int is_constant(const bl_psd *psd) {
+    return !(psd->variance.value > 1e-24 * psd->mean * psd->mean);
+}
+
 bl_status bl_gallery_measure_spectra(bl_run *run, const bl_gallery *gallery,
                                      const bl_psd_settings *wanted, const char *what,
                                      bl_gallery_spectra *spectra, bl_message *message) {
@@ -25,6 +30,10 @@ bl_status bl_gallery_measure_spectra(bl_run *run, const bl_gallery *gallery,
         bl_message why = {""};
         bl_run_step(run, bl_run_text(run, "%s %s", gallery->key[i], what));
         bl_status status = bl_psd_measure(gallery->signal[i], &settings, &spectra->psd[i], &why);
+        if (status == BL_OK && is_constant(&spectra->psd[i])) {
+            bl_psd_free(&spectra->psd[i]);
+            status = bl_report(&why, BL_MISMATCH, "it is constant, and has no power to show");
+        }
         spectra->measured[i] = status == BL_OK;
         if (status == BL_MISMATCH) {
             spectra->reason[i] = bl_run_text(run, "%s", why.text);
@@ -124,7 +133,7 @@ static size_t fill_panel(bl_run *run, const bl_gallery *gallery, size_t index, c
     return psd->theory ? 3 : 2;
 }
 
-// Draws the panels of all that were measured; the first with a closed form gives the legend.
+// Draws the panels of all that were measured.
 static bl_status draw(bl_run *run, const bl_gallery *gallery, const bl_gallery_spectra *spectra,
                       const bl_gallery_spectrum_plot *wanted, drawing what, bl_message *message) {
     bl_series *series = calloc(3 * gallery->count, sizeof *series);

@@ -9,7 +9,7 @@
 
 // --- the least that a plugin can be ---
 
-BANDLIMIT_EXPORT bandlimit_function plain, full, unsafe, nowhere;
+BANDLIMIT_EXPORT bandlimit_function plain, full, unsafe, nowhere, constant;
 
 double plain(const double p[4], unsigned dims, uint64_t seed, void *user) {
     return p[0] + 10 * p[1] + 100 * p[2] + 1000 * p[3] + 0.25 * (double)seed + 1e-3 * dims +
@@ -105,6 +105,11 @@ double nowhere(const double p[4], unsigned dims, uint64_t seed, void *user) {
     return p[0] > 0 ? NAN : 1;
 }
 
+double constant(const double p[4], unsigned dims, uint64_t seed, void *user) {
+    (void)p, (void)dims, (void)seed, (void)user;
+    return 0.1;
+}
+
 // --- bad ones ---
 
 BANDLIMIT_EXPORT extern int data;
@@ -120,6 +125,34 @@ double no_init(const double p[4], unsigned dims, uint64_t seed, void *user) {
 int no_init_init(uint64_t seed, void **user) {
     (void)user;
     return seed == 7 ? 0 : 42;
+}
+
+// --- what crashes, at places above 0 ---
+
+BANDLIMIT_EXPORT bandlimit_function crash_read, crash_abort, crash_deep;
+
+double crash_read(const double p[4], unsigned dims, uint64_t seed, void *user) {
+    (void)dims, (void)seed, (void)user;
+    double *volatile nowhere_at_all = NULL;
+    return p[0] > 0 ? *nowhere_at_all : 0;
+}
+
+double crash_abort(const double p[4], unsigned dims, uint64_t seed, void *user) {
+    (void)dims, (void)seed, (void)user;
+    if (p[0] > 0)
+        abort();
+    return 0;
+}
+
+static double deeper(double depth) {
+    volatile char room[4096];
+    room[0] = (char)depth;
+    return depth < 0 ? depth : deeper(depth + 1) + room[0];
+}
+
+double crash_deep(const double p[4], unsigned dims, uint64_t seed, void *user) {
+    (void)dims, (void)seed, (void)user;
+    return p[0] > 0 ? deeper(1) : 0;
 }
 
 #define BAD_CLAIM(name, what)                                                                      \
