@@ -365,8 +365,9 @@ static void test_the_end_of_what_a_child_says_is_quoted(void **state) {
            BL_DEVICE, "00000000000000000000000000000000000000000000000000000000000000000001");
     bl_signal *signal = NULL;
     bl_message message = {""};
-    const char *letters = "cmd:sh -c 'for i in $(seq 300); do printf \"\\303\\251\"; done >&2; "
-                          "printf x >&2; exit 3'";
+    const char *letters =
+        "cmd:sh -c 'for i in $(seq 300); do printf \"\\303\\251\"; done >&2; "
+        "printf x >&2; exit 3'";
     assert_int_equal(bl_source_open(letters, BL_ISA_BEST, &signal, &message), BL_DEVICE);
     const char *quoted = strstr(message.text, "ends with: ");
     assert_non_null(quoted);
@@ -411,7 +412,6 @@ static void test_a_seed_among_the_words_is_no_setting(void **state) {
     check_values(signal, 2, 0);
     bl_signal_free(signal);
 }
-
 
 // A child with a file of ours, or without the default meaning of SIGPIPE, would exit with 1.
 static void test_a_child_starts_fresh(void **state) {
