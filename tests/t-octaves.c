@@ -620,6 +620,63 @@ static void test_rotations_are_orthonormal_and_uniform(void **state) {
     bl_signal_free(signal);
 }
 
+// Uniform within 2^10 cells each way, in multiples of 2^-32: mean 0 and variance 2^20/3, whose
+// squares have the variance 2^40 4/45. Both ends are met within a hundredth, but with a probability
+// of 2 (1 - 1/200)^4500 = 3e-10.
+static void test_offsets_are_uniform(void **state) {
+    (void)state;
+    bl_moments value = {.n = 0}, square = {.n = 0};
+    double low = 0, high = 0;
+    for (int seed = 0; seed < 500; seed++) {
+        char text[64];
+        snprintf(text, sizeof text, "fbm:shift=random,seed=%d", seed);
+        bl_signal *signal = open_signal(text);
+        const bl_octaves *octaves = octaves_of(signal);
+        assert_false(octaves->octave[0].shifted);
+        for (unsigned o = 1; o < octaves->plan.count; o++)
+            for (unsigned a = 0; a < octaves->dimensions; a++) {
+                double offset = octaves->octave[o].offset[a] * 0x1p-10;
+                assert_near(offset * 0x1p42, floor(offset * 0x1p42), 0);
+                bl_moments_add(&value, offset);
+                bl_moments_add(&square, offset * offset);
+                low = fmin(low, offset);
+                high = fmax(high, offset);
+            }
+        bl_signal_free(signal);
+    }
+    assert_near(value.n, 4500, 0);
+    assert_near(value.mean, 0, LIMIT * sqrt(1.0 / 3 / value.n));
+    assert_near(square.mean, 1.0 / 3, LIMIT * sqrt(4.0 / 45 / square.n));
+    assert_true(low >= -1 && high < 1);
+    assert_near(low, -1, 0.01);
+    assert_near(high, 1, 0.01);
+}
+
+// A sum that is seen at low frequencies only ends at 2^62 all the same.
+static void test_the_domain_of_slow_octaves_ends_where_it_is_stated_to(void **state) {
+    (void)state;
+    bl_signal *signal = open_signal("fractalsum:min=1/4,max=1/2");
+    for (int axis = 0; axis < 3; axis++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            double in[BL_AXES] = {0.5, 0.5, 0.5, 0}, out[BL_AXES] = {0.5, 0.5, 0.5, 0};
+            const double step[BL_AXES] = {0};
+            float row[2], points[2];
+            in[axis] = sign * 0x1p61;
+            out[axis] = sign * 0x1p62;
+            bl_signal_row(signal, in, step, 1, &row[0]);
+            bl_signal_row(signal, out, step, 1, &row[1]);
+            bl_signal_points(signal, (const double *const[]){&in[0], &in[1], &in[2], &in[3]}, 1,
+                             &points[0]);
+            bl_signal_points(signal, (const double *const[]){&out[0], &out[1], &out[2], &out[3]}, 1,
+                             &points[1]);
+            assert_true(isfinite(row[0]) && isfinite(points[0]));
+            assert_true(isnan(row[1]) && isnan(points[1]));
+            assert_true(isfinite(bl_signal_value(signal, in)));
+            assert_true(isnan(bl_signal_value(signal, out)));
+        }
+    bl_signal_free(signal);
+}
+
 static void test_reseeding_is_opening_with_that_seed(void **state) {
     (void)state;
     static const char *const texts[] = {"fractalsum:basis=vnoise,basis.interp=linear",
@@ -694,6 +751,8 @@ int main(void) {
         cmocka_unit_test(test_the_finest_octave_loses_its_fraction_first),
         cmocka_unit_test(test_a_period_is_left_where_nothing_is_turned),
         cmocka_unit_test(test_rotations_are_orthonormal_and_uniform),
+        cmocka_unit_test(test_offsets_are_uniform),
+        cmocka_unit_test(test_the_domain_of_slow_octaves_ends_where_it_is_stated_to),
         cmocka_unit_test(test_reseeding_is_opening_with_that_seed),
         cmocka_unit_test(test_errors_name_the_basis),
     };
