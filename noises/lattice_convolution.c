@@ -317,6 +317,7 @@ static void describe(const void *block, bl_facts *facts) {
     const convolution_parameters *p = block;
     bl_terms terms = terms_of(block);
     bl_terms_describe(&terms, has_closed_form(block), facts);
+    facts->isotropic = has_closed_form(block); // a kernel of the distance, numbers that are white
     bl_bound bound = bl_bound_lattice_convolution(p->kernel == KERNEL_EXACT ? 0 : p->table_rate);
     bl_lattice_describe(bound, p->kernel == KERNEL_EXACT ? 1 : -1, &p->lattice, facts);
 }

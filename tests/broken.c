@@ -36,6 +36,14 @@ static const entry entries[BL_BROKEN_COUNT] = {
     [BL_BROKEN_AMPLITUDE] = {"amplitude", "stationarity", "scnoise", "isotropy"},
     [BL_BROKEN_MEAN] = {"mean", "stationarity", "scnoise", "isotropy"},
     [BL_BROKEN_GRADIENT] = {"gradient", "gradient", "gnoise"},
+    [BL_BROKEN_GRADIENT_SOME] = {"gradient-some", "gradient", "gnoise"},
+    [BL_BROKEN_PERIOD_MISSING] = {"period-missing", "period", "gnoise"},
+    [BL_BROKEN_PERIOD_POINTS] = {"period-points", "period", "gnoise:period=16,0,0"},
+    [BL_BROKEN_PERIOD_BEHIND] = {"period-behind", "period", "gnoise:period=16,0,0", "continuity"},
+    [BL_BROKEN_FAR_GAIN] = {"far-gain", "far", "gnoise"},
+    [BL_BROKEN_FAR_NAN] = {"far-nan", "far", "gnoise"},
+    [BL_BROKEN_NO_NAN] = {"no-nan", "far", "gnoise"},
+    [BL_BROKEN_REGION] = {"region", "stationarity", "scnoise", "far"},
 };
 
 // --- what is broken -----------------------------------------------------------------------------
@@ -52,6 +60,10 @@ static void bend_coordinates(const block *b, double at[BL_AXES]) {
         at[0] *= 1.02;
     for (int a = 0; a < BL_AXES && b->which == BL_BROKEN_FLOAT; a++)
         at[a] = (double)(float)at[a];
+}
+
+static double farthest(const double at[BL_AXES]) {
+    return fmax(fabs(at[0]), fmax(fabs(at[1]), fabs(at[2])));
 }
 
 // The value of the inner noise becomes gain * value + offset; both at the original coordinates.
@@ -73,9 +85,21 @@ static void bend_value(const block *b, const double at[BL_AXES], double *gain, d
         *gain = 1 + 0.05 * sin(2 * M_PI * wrap(at[1], 1));
     if (b->which == BL_BROKEN_MEAN)
         *offset = 0.05 * sqrt(b->inner->facts.variance) * cos(2 * M_PI * wrap(at[2], 1));
+    if (b->which == BL_BROKEN_PERIOD_BEHIND)
+        *offset = (at[0] < -20) * 0.01 * range;
+    if ((b->which == BL_BROKEN_FAR_GAIN && farthest(at) > 5e5) ||
+        (b->which == BL_BROKEN_REGION && at[0] > 5e4))
+        *gain = 2;
+    if (b->which == BL_BROKEN_FAR_NAN && farthest(at) > 1e9)
+        *offset = NAN;
 }
 
 // --- abilities ----------------------------------------------------------------------------------
+
+// Whether it gives 0 for a place that is none.
+static int hides(const block *b, const double at[BL_AXES]) {
+    return b->which == BL_BROKEN_NO_NAN && !isfinite(at[0] + at[1] + at[2]);
+}
 
 static double value(const void *parameters, const double at[BL_AXES]) {
     const block *b = parameters;
@@ -83,7 +107,7 @@ static double value(const void *parameters, const double at[BL_AXES]) {
     memcpy(bent, at, sizeof bent);
     bend_coordinates(b, bent);
     bend_value(b, at, &gain, &offset);
-    return gain * bl_signal_value(b->inner, bent) + offset;
+    return hides(b, at) ? 0 : gain * bl_signal_value(b->inner, bent) + offset;
 }
 
 static void points(const void *parameters, const double *const at[BL_AXES], size_t count,
@@ -108,7 +132,9 @@ static void points(const void *parameters, const double *const at[BL_AXES], size
                                           at[3][from + i]};
             double gain, offset;
             bend_value(b, here, &gain, &offset);
-            out[from + i] = (float)(gain * (double)out[from + i] + offset);
+            if (b->which == BL_BROKEN_PERIOD_POINTS && here[0] >= 20)
+                offset = 0.01 * b->inner->facts.upper;
+            out[from + i] = hides(b, here) ? 0 : (float)(gain * (double)out[from + i] + offset);
         }
     }
 }
@@ -126,8 +152,12 @@ static void gradient(const void *parameters, const double at[BL_AXES], double ou
     bend_coordinates(b, bent);
     bend_value(b, at, &gain, &offset);
     b->inner->functions->gradient(b->inner->parameters, bent, out);
+    if (b->which == BL_BROKEN_GRADIENT)
+        gain = 1.001;
+    if (b->which == BL_BROKEN_GRADIENT_SOME && wrap(floor(at[0]), 4) + wrap(floor(at[1]), 4) == 0)
+        gain = 2;
     for (int a = 0; a < BL_AXES; a++)
-        out[a] *= gain * (b->which == BL_BROKEN_GRADIENT ? 1.01 : 1);
+        out[a] *= gain;
     if (b->which == BL_BROKEN_STRETCH)
         out[0] *= 1.02;
 }
@@ -162,7 +192,8 @@ static const bl_signal_functions without_gradient = {
 
 static int has_gradient(bl_broken which) {
     return which != BL_BROKEN_JUMP && which != BL_BROKEN_JUMP_ONCE && which != BL_BROKEN_KINK &&
-           which != BL_BROKEN_FLOAT && which != BL_BROKEN_AMPLITUDE && which != BL_BROKEN_MEAN;
+           which != BL_BROKEN_FLOAT && which != BL_BROKEN_AMPLITUDE && which != BL_BROKEN_MEAN &&
+           which != BL_BROKEN_PERIOD_BEHIND;
 }
 
 bl_signal *bl_broken_signal(bl_broken which) {
@@ -180,6 +211,8 @@ bl_signal *bl_broken_signal(bl_broken which) {
     signal->facts = made->inner->facts;
     if (which == BL_BROKEN_PERIOD_SHORT || which == BL_BROKEN_PERIOD_LONG)
         signal->facts.period[0] = 0;
+    if (which == BL_BROKEN_PERIOD_MISSING)
+        signal->facts.period[1] = 7;
     return signal;
 }
 

@@ -10,7 +10,12 @@
 // middle of the cell, so x <= y <= z <= 1/2 does.
 #include "tests/test.h"
 
+#include <gsl/gsl_cdf.h>
+
 #include "noises/closed_forms.h"
+#include "noises/impulse_profiles.h"
+#include "noises/wiener_weights.h"
+#include "tests/texts.h"
 
 typedef struct box {
     double low[3], high[3];
@@ -191,11 +196,144 @@ static void test_table_allowance(void **state) {
         }
 }
 
+// --- what the noises state -----------------------------------------------------------------------
+//
+// Walks hold values to the stated range, and seldom come near its ends: a range that is too wide,
+// or too narrow by a third, passes them. Here each is derived once more.
+
+static void expect_range(const char *text, double lower, double upper, double slack) {
+    bl_signal *signal = bl_test_open(text, BL_ISA_BEST);
+    double most = slack * fmax(fabs(lower), fabs(upper));
+    if (!(fabs(signal->facts.lower - lower) <= most && fabs(signal->facts.upper - upper) <= most))
+        fail_msg("%s: states %.9g to %.9g; it is %.9g to %.9g", text, signal->facts.lower,
+                 signal->facts.upper, lower, upper);
+    bl_signal_free(signal);
+}
+
+static void test_lattice_noises_state_these_bounds(void **state) {
+    (void)state;
+    const double spline = bl_bound_value(BL_KERNEL_CATMULL_ROM).value;
+    const double edges = bl_bound_gradient(BL_KERNEL_QUINTIC, 1).value;
+    const double unit = bl_bound_gradient(BL_KERNEL_SMOOTH, 0).value;
+    const struct {
+        const char *text;
+        double bound;
+    } cases[] = {{"vnoise", spline},
+                 {"vnoise:interp=linear", 1},
+                 {"vnoise:interp=bspline3", 1},
+                 {"vnoise:dims=2", 1.5625},
+                 {"gnoise", unit},
+                 {"gnoise:fade=quintic,gradients=edges", edges},
+                 {"perlin2002", edges},
+                 {"perlin2002:lattice=hash", edges},
+                 {"hermite", bl_bound_hermite().value},
+                 {"vcnoise", bl_bound_lattice_convolution(0).value},
+                 {"vcnoise:kernel=table:100", bl_bound_lattice_convolution(100).value},
+                 {"simplex", 1},
+                 {"simplex:dims=4,radius2=0.6", 1},
+                 {"white", 1},
+                 {"white:cell=1", 1}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        expect_range(cases[i].text, -cases[i].bound, cases[i].bound, 0);
+    expect_range("rayshade", 0, 1, 0);
+    expect_range("rayshade:weights=linear", 0, 1, 0);
+    bl_wiener_kernel kernel = bl_wiener_kernel_of(BL_WIENER_SINC, 0.7);
+    double wiener = pow(bl_wiener_largest_sum(&kernel), 3);
+    expect_range("wiener:covariance=sinc,width=0.7", -wiener, wiener, 0);
+}
+
+// Values and weights that sum to 1 come as near to their ends as the most extreme of many lattice
+// points: within 1e-3 of the range, but with a probability of 2 (1 - 1e-3)^20000 = 4e-9.
+static void test_ranges_of_lattice_values_are_reached(void **state) {
+    (void)state;
+    static const char *const texts[] = {"rayshade:seed=4", "white:seed=4", "vnoise:interp=linear",
+                                        "vnoise:interp=smooth,dims=2"};
+    for (size_t n = 0; n < sizeof texts / sizeof *texts; n++) {
+        enum { COUNT = 20000 };
+        static float row[COUNT];
+        bl_signal *signal = bl_test_open(texts[n], BL_ISA_BEST);
+        double low = INFINITY, high = -INFINITY;
+        double range = signal->facts.upper - signal->facts.lower;
+        bl_signal_row(signal, (const double[BL_AXES]){0}, (const double[BL_AXES]){1}, COUNT, row);
+        for (int i = 0; i < COUNT; i++) {
+            low = fmin(low, (double)row[i]);
+            high = fmax(high, (double)row[i]);
+        }
+        assert_near(low, signal->facts.lower, 1e-3 * range);
+        assert_near(high, signal->facts.upper, 1e-3 * range);
+        bl_signal_free(signal);
+    }
+}
+
+// The count that all but less than 2^-33 of the cells have, from GSL's distribution.
+static double most_impulses(double mean) {
+    unsigned count = 0;
+    while (gsl_cdf_poisson_Q(count, mean) > 0x1p-33)
+        count++;
+    return count;
+}
+
+static double largest_profile(bl_profile profile) {
+    double most = 0;
+    for (int i = 0; i <= 1000; i++)
+        most = fmax(most, fabs(bl_profile_value(profile, i / 1000.0)));
+    return most;
+}
+
+// All impulses of the cells in reach at their largest; profiles are rounded up by a thousandth.
+static void test_impulse_noises_state_these_bounds(void **state) {
+    (void)state;
+    const struct {
+        const char *text;
+        double cells, count, mean;
+        bl_profile profile;
+    } cases[] = {
+        {"spot", 9, most_impulses(4), 4, BL_PROFILE_GAUSSIAN},
+        {"spot:count=fixed,impulses=3,shape=disc", 9, 3, 3, BL_PROFILE_DISC},
+        {"spot:dims=3,impulses=1,shape=cosine", 27, most_impulses(1), 1, BL_PROFILE_COSINE},
+        {"spot:dims=3,count=fixed,impulses=64,shape=ring", 27, 64, 64, BL_PROFILE_RING},
+        {"gabor", 9, most_impulses(8), 8, BL_PROFILE_DISC},
+        {"gabor:impulses=64,phase=zero", 9, most_impulses(64), 64, BL_PROFILE_DISC}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        double bound = cases[i].cells * cases[i].count * largest_profile(cases[i].profile) /
+                       sqrt(cases[i].mean);
+        expect_range(cases[i].text, -bound, bound, 1e-3);
+    }
+    // Divided by the mean, not by its root.
+    double sparse = bl_bound_sparse_convolution(0).value;
+    expect_range("scnoise", -sparse, sparse, 0);
+    expect_range("scnoise:impulses=7", -sparse, sparse, 0);
+    sparse *= most_impulses(3) / 3;
+    expect_range("scnoise:count=poisson,impulses=3", -sparse, sparse, 1e-12);
+}
+
+// fourier with one harmonic: a cosine of mean square 1 for harmonics, sqrt 2 high, over the
+// transform of the B-spline at a quarter of the rate; amplitudes of normal numbers are the root of
+// -ln u, u = 2^-54 at least. gardner: the squares of 0.3 0.707^i times the ends of the products.
+static void test_tiles_and_waves_state_these_bounds(void **state) {
+    (void)state;
+    double transform = pow(sin(M_PI / 4) / (M_PI / 4), 4), square = 0;
+    double wave = sqrt(2) / transform, highest = wave * sqrt(54 * log(2));
+    expect_range("fourier:dims=1,from=1,to=1", -wave, wave, 2e-6);
+    // 6.119 for 6.1180
+    expect_range("fourier:dims=1,from=1,to=1,amplitudes=gaussian", -highest, highest, 2e-4);
+    for (int i = 0; i < 5; i++)
+        square += 0.09 * pow(0.707, 2 * i);
+    expect_range("gardner", -0.75 * square, 2.25 * square, 1e-14);
+    expect_range("gardner:terms=1", -0.75 * 0.09, 2.25 * 0.09, 1e-14);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_value_bounds),    cmocka_unit_test(test_gradient_bounds),
-        cmocka_unit_test(test_hermite_bound),   cmocka_unit_test(test_convolution_bounds),
+        cmocka_unit_test(test_value_bounds),
+        cmocka_unit_test(test_gradient_bounds),
+        cmocka_unit_test(test_hermite_bound),
+        cmocka_unit_test(test_convolution_bounds),
         cmocka_unit_test(test_table_allowance),
+        cmocka_unit_test(test_lattice_noises_state_these_bounds),
+        cmocka_unit_test(test_ranges_of_lattice_values_are_reached),
+        cmocka_unit_test(test_impulse_noises_state_these_bounds),
+        cmocka_unit_test(test_tiles_and_waves_state_these_bounds),
     };
     return bl_run_tests(tests);
 }

@@ -491,6 +491,69 @@ static void test_lattice_noises_show_their_cell_in_the_variance(void **state) {
     bl_signal_free(signal);
 }
 
+// --- closed forms -------------------------------------------------------------------------------
+
+// The covariance is 0 from its reach on along every axis, whatever the other lags are, and not yet
+// at 7/10 of it: the reach of a square spot is that of its circle, sqrt 2 too large.
+static void test_the_covariance_ends_at_its_reach(void **state) {
+    (void)state;
+    bl_texts *list = all_texts();
+    size_t seen = 0;
+    for (size_t i = 0; i < list->count; i++) {
+        bl_signal *signal = open_signal(list->text[i]);
+        double reach = signal->facts.covariance_reach, inside = 0;
+        for (unsigned axis = 0; signal->closed_form && axis < signal->dimensions; axis++, seen++) {
+            for (int n = 0; n < 8; n++) {
+                double lag[BL_AXES] = {n * 0.03, n * 0.02, n * 0.05, n * 0.04};
+                lag[axis] = (n % 2 ? -1 : 1) * reach * (1 + n * n * 0.01);
+                assert_near(signal->functions->covariance(signal->parameters, lag), 0, 0);
+                memset(lag, 0, sizeof lag);
+                lag[axis] = reach * (0.6 + 0.0125 * n);
+                inside += fabs(signal->functions->covariance(signal->parameters, lag));
+            }
+        }
+        if (signal->closed_form && !(inside > 0))
+            fail_msg("%s: has no covariance at 7/10 of its reach of %g", list->text[i], reach);
+        bl_signal_free(signal);
+    }
+    assert_true(seen > 100);
+}
+
+// Isotropic is what has a density of the length of the frequency alone; that of the others differs
+// between directions by a thousandth of its peak at least. The quadratures are good to 1e-9.
+static void test_isotropy_is_stated_where_the_density_has_no_direction(void **state) {
+    (void)state;
+    static const double directions[][BL_AXES] = {
+        {0.6, 0.8, 0, 0}, {0.8, -0.6, 0, 0}, {0, 1, 0, 0}, {2 / 3.0, -1 / 3.0, 2 / 3.0, 0}};
+    bl_texts *list = all_texts();
+    size_t seen[2] = {0};
+    for (size_t i = 0; i < list->count; i++) {
+        bl_signal *signal = open_signal(list->text[i]);
+        double peak = 0, most = 0, cell = signal->facts.cell > 0 ? signal->facts.cell : 1;
+        int directed = signal->dimensions > 1; // all that has one dimension is without one
+        for (double f = 0.1; signal->closed_form && directed && f < 2.5; f += 0.15) {
+            const double along[BL_AXES] = {f / cell};
+            double first = signal->functions->density(signal->parameters, along);
+            peak = fmax(peak, first);
+            for (int d = 0; d < (signal->dimensions > 2 ? 4 : 3); d++) {
+                double at[BL_AXES];
+                for (int a = 0; a < BL_AXES; a++)
+                    at[a] = directions[d][a] * f / cell;
+                double other = signal->functions->density(signal->parameters, at);
+                peak = fmax(peak, other);
+                most = fmax(most, fabs(other - first));
+            }
+        }
+        int isotropic = signal->facts.isotropic == 1;
+        if (peak > 0 && (isotropic ? most > 1e-8 * peak : most < 1e-3 * peak))
+            fail_msg("%s: states %s, and its density differs by %g of its peak", list->text[i],
+                     isotropic ? "isotropy" : "a direction", most / peak);
+        seen[isotropic] += peak > 0;
+        bl_signal_free(signal);
+    }
+    assert_true(seen[0] > 30 && seen[1] > 10);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_class_of_continuity_is_the_one_stated),
@@ -500,6 +563,8 @@ int main(void) {
         cmocka_unit_test(test_mean_and_variance_are_the_ones_stated),
         cmocka_unit_test(test_impulse_noises_have_the_same_variance_all_over_the_cell),
         cmocka_unit_test(test_lattice_noises_show_their_cell_in_the_variance),
+        cmocka_unit_test(test_the_covariance_ends_at_its_reach),
+        cmocka_unit_test(test_isotropy_is_stated_where_the_density_has_no_direction),
     };
     return bl_run_tests(tests);
 }

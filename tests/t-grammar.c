@@ -140,6 +140,144 @@ static void test_the_nearest_word_is_near_or_none(void **state) {
     assert_null(bl_nearest(long_word, words));
 }
 
+static void test_a_word_is_near_up_to_half_of_its_letters(void **state) {
+    (void)state;
+    const char *words[] = {"gnoise", NULL};
+    assert_string_equal(bl_nearest("gnoxxx", words), "gnoise");
+    assert_null(bl_nearest("gnxxxx", words));
+    assert_null(bl_nearest("xxxxxx", words));
+}
+
+static void test_the_ends_of_a_range_belong_to_it(void **state) {
+    (void)state;
+    block b;
+    bl_message message;
+    assert_int_equal(read_text("n:impulses=64,spacing=1e9,kernel=table:1000", &b, &message), BL_OK);
+    assert_int_equal(read_text("n:impulses=1,spacing=1e-9,kernel=table:1", &b, &message), BL_OK);
+    static const char *const beyond[] = {"n:impulses=65", "n:spacing=1000000001", "n:spacing=9e-10",
+                                         "n:kernel=table:1001", "n:spacing=-1"};
+    for (size_t i = 0; i < sizeof beyond / sizeof *beyond; i++)
+        assert_int_equal(read_text(beyond[i], &b, &message), BL_USAGE);
+}
+
+// --- lists, texts and nested signals ---
+
+typedef struct wide_block {
+    uint32_t list[BL_LIST_SIZE];
+    char text[BL_TEXT_SIZE], basis[BL_TEXT_SIZE];
+} wide_block;
+
+static const bl_parameter wide_parameters[] = {
+    {.key = "list",
+     .kind = BL_LIST,
+     .offset = offsetof(wide_block, list),
+     .maximum = 100,
+     .fallback = "0"},
+    {.key = "text", .kind = BL_TEXT, .offset = offsetof(wide_block, text), .fallback = ""},
+    {.key = "basis", .kind = BL_NESTED, .offset = offsetof(wide_block, basis), .fallback = "g"},
+    {.key = NULL}};
+
+static bl_status read_wide(const char *text, wide_block *out, bl_message *message) {
+    bl_spec spec;
+    memset(out, 0, sizeof *out);
+    bl_status status = bl_spec_parse(text, &spec, message);
+    if (status != BL_OK)
+        return status;
+    status = bl_parameters_read(wide_parameters, &spec, text, out, message);
+    bl_spec_free(&spec);
+    return status;
+}
+
+static void refuse_wide(const char *text, const char *says) {
+    wide_block b;
+    bl_message message = {""};
+    if (read_wide(text, &b, &message) != BL_USAGE || !strstr(message.text, says))
+        fail_msg("%.80s: '%s' lacks '%s'", text, message.text, says);
+}
+
+// One number is that of all axes; axes that are left out have 0.
+static void test_lists_are_read_and_printed(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *canonical;
+        uint32_t list[BL_LIST_SIZE];
+    } cases[] = {{"n", "n", {0, 0, 0, 0}},
+                 {"n:list=0,0", "n", {0, 0, 0, 0}},
+                 {"n:list=5", "n:list=5", {5, 5, 5, 5}},
+                 {"n:list=5,5,5,5", "n:list=5", {5, 5, 5, 5}},
+                 {"n:list=5,0", "n:list=5,0", {5, 0, 0, 0}},
+                 {"n:list=5,6,0,0", "n:list=5,6", {5, 6, 0, 0}},
+                 {"n:list=0,0,7", "n:list=0,0,7", {0, 0, 7, 0}},
+                 {"n:list=1,2,3,100", "n:list=1,2,3,100", {1, 2, 3, 100}}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        wide_block b;
+        bl_message message;
+        assert_int_equal(read_wide(cases[i].text, &b, &message), BL_OK);
+        assert_memory_equal(b.list, cases[i].list, sizeof b.list);
+        char *text = bl_parameters_text("n", wide_parameters, &b);
+        assert_string_equal(text, cases[i].canonical);
+        free(text);
+    }
+    refuse_wide("n:list=1,2,3,4,5", "4 numbers at most");
+    refuse_wide("n:list=1,2,101", "column 12");
+    refuse_wide("n:list=1,-2", "column 10");
+    refuse_wide("n:5", "expected key=value"); // no list that it could go on with
+    refuse_wide("n:text=a,b", "expected key=value");
+}
+
+// Settings of the nested signal are dotted, before or after its name; a list is one of them.
+static void test_nested_signals_are_read_and_printed(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *basis, *canonical;
+    } cases[] = {
+        {"n:basis=g", "g", "n"},
+        {"n:basis=v,basis.seed=3", "v:seed=3", "n:basis=v,basis.seed=3"},
+        {"n:basis.seed=3,basis=v", "v:seed=3", "n:basis=v,basis.seed=3"},
+        {"n:basis.seed=3", "g:seed=3", "n:basis=g,basis.seed=3"},
+        {"n:basis=v,basis.list=1,2,basis.k=3", "v:list=1,2,k=3",
+         "n:basis=v,basis.list=1,2,basis.k=3"},
+        {"n:basis=v,basis.basis=w,basis.basis.list=1,2,3", "v:basis=w,basis.list=1,2,3",
+         "n:basis=v,basis.basis=w,basis.basis.list=1,2,3"},
+        {"n:basis=v,basis.list=7,8,list=9", "v:list=7,8", "n:list=9,basis=v,basis.list=7,8"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        wide_block b, again;
+        bl_message message;
+        assert_int_equal(read_wide(cases[i].text, &b, &message), BL_OK);
+        assert_string_equal(b.basis, cases[i].basis);
+        char *text = bl_parameters_text("n", wide_parameters, &b);
+        assert_string_equal(text, cases[i].canonical);
+        assert_int_equal(read_wide(text, &again, &message), BL_OK);
+        assert_string_equal(again.basis, b.basis);
+        free(text);
+    }
+    refuse_wide("n:basis.=3", "after the dot");
+    refuse_wide("n:list.seed=3", "unknown key 'list.seed'");
+    refuse_wide("n:basis=g,basis=v", "twice");
+}
+
+// 511 letters fit and 512 do not, whether in a word or put together.
+static void test_texts_end_at_their_size(void **state) {
+    (void)state;
+    for (int more = 0; more < 2; more++)
+        for (int nested = 0; nested < 2; nested++) {
+            char text[2 * BL_TEXT_SIZE] = "n:text=";
+            wide_block b;
+            bl_message message = {""};
+            size_t letters = BL_TEXT_SIZE - 1 + (size_t)more, used;
+            if (nested) { // g:k= and the letters
+                strcpy(text, "n:basis.k=");
+                letters -= 4;
+            }
+            used = strlen(text);
+            memset(text + used, 'a', letters);
+            text[used + letters] = '\0';
+            assert_int_equal(read_wide(text, &b, &message), more ? BL_USAGE : BL_OK);
+            if (!more)
+                assert_int_equal(strlen(nested ? b.basis : b.text), BL_TEXT_SIZE - 1);
+        }
+}
+
 static void test_numbers_are_whole_words(void **state) {
     (void)state;
     unsigned long long u;
@@ -175,6 +313,11 @@ int main(void) {
         cmocka_unit_test(test_a_default_written_otherwise_is_left_out_of_the_canonical_text),
         cmocka_unit_test(test_errors_name_the_word_the_column_and_the_nearest_word),
         cmocka_unit_test(test_the_nearest_word_is_near_or_none),
+        cmocka_unit_test(test_a_word_is_near_up_to_half_of_its_letters),
+        cmocka_unit_test(test_the_ends_of_a_range_belong_to_it),
+        cmocka_unit_test(test_lists_are_read_and_printed),
+        cmocka_unit_test(test_nested_signals_are_read_and_printed),
+        cmocka_unit_test(test_texts_end_at_their_size),
         cmocka_unit_test(test_numbers_are_whole_words),
     };
     return bl_run_tests(tests);

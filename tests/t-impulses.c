@@ -334,6 +334,79 @@ static void test_limits_are_the_distribution_function(void **state) {
     }
 }
 
+// The count is the number of limits up to the word: at a limit it is one more than before it.
+static void test_a_count_steps_at_its_limits(void **state) {
+    (void)state;
+    static const uint32_t means[] = {1, 4, 12}; // whose first limit is above 0
+    for (size_t m = 0; m < 3; m++) {
+        impulse_source source;
+        const bl_lattice_settings settings = {.seed = 1};
+        impulse_source_open(&source, &settings, means[m], 1);
+        for (int n = 0; n < source.most; n++) {
+            int least = 0; // limits may be the same far out
+            for (int k = 0; k < source.most; k++)
+                least += source.limit[k] < source.limit[n];
+            assert_true(impulse_count(&source, source.limit[n]) > n);
+            assert_int_equal(impulse_count(&source, source.limit[n] - 1), least);
+        }
+        assert_int_equal(impulse_count(&source, UINT32_MAX), source.most);
+        assert_int_equal(impulse_count(&source, 0), 0);
+    }
+}
+
+// --- float against double -----------------------------------------------------------------------
+//
+// The walkers allow an error in proportion to the stated range, which of impulse noises is a
+// hundred times what they ever have. Here it is what the noises state: 1e-6 for each impulse in
+// reach, over the root of their mean number.
+
+static void count_in_reach(void *context, const double d[IMPULSE_AXES], uint32_t third,
+                           uint32_t fourth) {
+    (void)third, (void)fourth;
+    *(double *)context += d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < 1;
+}
+
+static void test_floats_are_as_near_as_is_stated(void **state) {
+    (void)state;
+    static const struct {
+        const char *settings;
+        unsigned dims, impulses;
+    } cases[] = {{"gabor:seed=5,impulses=1", 2, 1},
+                 {"gabor:seed=5,impulses=1,phase=zero,frequency=4", 2, 1},
+                 {"gabor:seed=5,impulses=8,kind=anisotropic,bandwidth=4", 2, 8},
+                 {"spot:seed=5,impulses=1", 2, 1},
+                 {"spot:seed=5,impulses=3,shape=cosine", 2, 3},
+                 {"spot:seed=5,impulses=2,shape=ring,dims=3", 3, 2}};
+    enum { PLACES = 2000 };
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        bl_signal *signal = bl_test_open(cases[n].settings, BL_ISA_BEST);
+        bl_random random = bl_random_seed(6, n);
+        impulse_source source;
+        const bl_lattice_settings settings = {.seed = 5};
+        impulse_source_open(&source, &settings, cases[n].impulses, 1);
+        static double column[BL_AXES][PLACES];
+        static float out[PLACES];
+        for (int a = 0; a < BL_AXES; a++)
+            for (int i = 0; i < PLACES; i++)
+                column[a][i] = 200 * bl_random_unit(&random) - 100;
+        bl_signal_points(signal,
+                         (const double *const[]){column[0], column[1], column[2], column[3]},
+                         PLACES, out);
+        double met = 0;
+        for (int i = 0; i < PLACES; i++) {
+            const double at[BL_AXES] = {column[0][i], column[1][i], column[2][i], column[3][i]};
+            double count = 0, value = bl_signal_value(signal, at);
+            impulse_visit(&source, cases[n].dims, 1, at, count_in_reach, &count);
+            assert_near((double)out[i], value, 1e-6 * count / sqrt(cases[n].impulses));
+            met += count / PLACES;
+        }
+        // As many as there are in a disc or a ball of radius 1, to 10 %.
+        double expected = (cases[n].dims == 2 ? M_PI : 4 * M_PI / 3) * cases[n].impulses;
+        assert_near(met, expected, 0.1 * expected);
+        bl_signal_free(signal);
+    }
+}
+
 // --- the fourth cumulant ------------------------------------------------------------------------
 //
 // Discs of radius 1 at the middle of a cell, one impulse a cell on average. With E2 = 1/3 and
@@ -454,6 +527,8 @@ int main(void) {
         cmocka_unit_test(test_the_variance_of_gabor_noise_is_the_integral_of_its_density),
         cmocka_unit_test(test_counts_are_poisson),
         cmocka_unit_test(test_limits_are_the_distribution_function),
+        cmocka_unit_test(test_a_count_steps_at_its_limits),
+        cmocka_unit_test(test_floats_are_as_near_as_is_stated),
         cmocka_unit_test(test_the_fourth_cumulant_tells_poisson_from_fixed_counts),
         cmocka_unit_test(test_the_bounds_of_sparse_convolution),
     };

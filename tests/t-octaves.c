@@ -441,6 +441,8 @@ static void test_closed_forms_are_stated_only_where_they_hold(void **state) {
                  {"fbm:rotate=random", 0, 1}, // the mean over rotations is not stated
                  {"fbm:lacunarity=1", 1, 1},
                  {"fbm:lacunarity=1,seeds=same", 0, 0},
+                 {"fbm:lacunarity=1.5,seeds=same", 1, 1},
+                 {"fbm:lacunarity=1.49,seeds=same", 0, 0}, // too near to be sure of
                  {"turbulence", 0, 0},
                  {"ridged", 0, 0},
                  {"fractalsum:width=1e30", 0, 1}};
@@ -450,6 +452,129 @@ static void test_closed_forms_are_stated_only_where_they_hold(void **state) {
             isfinite(signal->facts.variance) != cases[i].variance)
             fail_msg("%s: closed form %d, variance %g", cases[i].text, signal->closed_form,
                      signal->facts.variance);
+        bl_signal_free(signal);
+    }
+}
+
+// --- facts of the sum from those of the basis ---------------------------------------------------
+
+// Over a basis whose mean is 1/2 all the octaves count, those that are removed too; every second
+// number is the mean of a row of independent cells, with a seed of its own.
+static void test_the_mean_of_the_basis_is_kept(void **state) {
+    (void)state;
+    static const char *const texts[] = {
+        "fractalsum:basis=rayshade", "fractalsum:basis=rayshade,width=0.1",
+        "fractalsum:basis=rayshade,width=0.1,clamp=hard", "fractalsum:basis=rayshade,width=1e30"};
+    enum { ROW = 256, SEEDS = 400 };
+    for (size_t n = 0; n < sizeof texts / sizeof *texts; n++) {
+        bl_signal *signal = open_signal(texts[n]);
+        bl_random random = bl_random_seed(9, n);
+        bl_moments means = {.n = 0};
+        assert_near(signal->facts.mean, 0.5 * (1 + 0.5 + 0.25 + 0.125), 1e-7);
+        for (int s = 0; s < SEEDS; s++) {
+            float row[ROW];
+            double start[BL_AXES], mean = 0;
+            bl_signal *fresh = bl_signal_reseed(signal, bl_random_bits(&random));
+            random_place(&random, 1e6, start);
+            bl_signal_row(fresh, start, (const double[BL_AXES]){2.37}, ROW, row);
+            for (int i = 0; i < ROW; i++)
+                mean += (double)row[i] / ROW;
+            bl_moments_add(&means, mean);
+            bl_signal_free(fresh);
+        }
+        double error = sqrt(bl_moments_variance(&means) / means.n) + 1e-7;
+        assert_near(means.mean, signal->facts.mean, LIMIT * error);
+        bl_signal_free(signal);
+    }
+}
+
+// The ranges of sums, from that of the basis by hand.
+static void test_ranges_follow_from_the_basis(void **state) {
+    (void)state;
+    const double all = 1 + 0.5 + 0.25 + 0.125, origin[BL_AXES] = {0};
+    bl_signal *gradients = open_signal("gnoise"), *sum = open_signal("fractalsum");
+    assert_near(sum->facts.upper, all * gradients->facts.upper, 1e-15);
+    assert_near(sum->facts.lower, -all * gradients->facts.upper, 1e-15);
+    bl_signal_free(sum);
+    sum = open_signal("turbulence");
+    assert_near(sum->facts.lower, 0, 0);
+    assert_near(sum->facts.upper, all * gradients->facts.upper, 1e-15);
+    bl_signal_free(sum);
+    // All octaves are 0 at the origin, where the ridges reach their bound.
+    sum = open_signal("ridged");
+    assert_near(bl_signal_value(sum, origin), sum->facts.upper, 1e-15);
+    assert_near(sum->facts.lower, 0, 0);
+    bl_signal_free(sum);
+    // A basis that is larger than twice the offset is farther from it than 0 is.
+    sum = open_signal("ridged:basis=hermite,offset=1/2");
+    assert_near(sum->facts.upper, all * (1.75 - 0.5) * (1.75 - 0.5), 1e-15);
+    bl_signal_free(sum);
+    // A basis that is never near 0 has a least size: what its removed octave leaves.
+    bl_signal *high = open_signal("turbulence:width=0.06");
+    sum = open_signal("turbulence:basis=turbulence,basis.width=0.06");
+    assert_true(high->facts.lower > 0.01);
+    assert_near(sum->facts.lower, all * high->facts.lower, 1e-12);
+    assert_near(sum->facts.upper, all * high->facts.upper, 1e-12);
+    bl_signal_free(high), bl_signal_free(sum);
+    bl_signal_free(gradients);
+}
+
+// A size has a kink where the noise crosses 0, if it does and if it is smooth there.
+static void test_sizes_have_kinks_where_the_basis_crosses_zero(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        int continuity;
+    } cases[] = {{"turbulence", 0},
+                 {"turbulence:basis=rayshade", 1},
+                 {"turbulence:basis=rayshade,basis.weights=linear", 0},
+                 {"turbulence:basis=white", -1},
+                 {"ridged:basis=simplex", 0},
+                 {"fractalsum:basis=simplex", 3}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_signal *signal = open_signal(cases[i].text);
+        if (signal->facts.continuity != cases[i].continuity)
+            fail_msg("%s: states class %d", cases[i].text, signal->facts.continuity);
+        bl_signal_free(signal);
+    }
+}
+
+// From the place on that is stated, doubles stand at least as far apart as the cells of the finest
+// octave, and before it nearer.
+static void test_the_finest_octave_loses_its_fraction_first(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        double finest; // frequency
+    } cases[] = {{"fractalsum", 8},
+                 {"turbulence:max=64", 32},
+                 {"fractalsum:min=1/4,max=1", 0.5},
+                 {"fbm:lacunarity=3,octaves=2", 3},
+                 {"ridged:lacunarity=2.5,octaves=3", 6.25},
+                 {"fractalsum:width=1/8", 2}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_signal *signal = open_signal(cases[i].text);
+        double far = signal->facts.far;
+        if (!(nextafter(far, INFINITY) - far >= 1 / cases[i].finest &&
+              far - nextafter(far, 0) < 1 / cases[i].finest))
+            fail_msg("%s: states 2^%g", cases[i].text, log2(far));
+        bl_signal_free(signal);
+    }
+}
+
+// Of a random rotation no period is left, but the first octave is not turned.
+static void test_a_period_is_left_where_nothing_is_turned(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        double period;
+    } cases[] = {{"fbm:basis=gnoise,basis.period=12", 12},
+                 {"fbm:basis=gnoise,basis.period=12,lacunarity=1.5", 96}, // 1.5^3 12 = 40.5
+                 {"fbm:basis=gnoise,basis.period=12,rotate=random", 0},
+                 {"fbm:basis=gnoise,basis.period=12,rotate=random,octaves=1", 12}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_signal *signal = open_signal(cases[i].text);
+        assert_near(signal->facts.period[1], cases[i].period, 0);
         bl_signal_free(signal);
     }
 }
@@ -492,6 +617,63 @@ static void test_rotations_are_orthonormal_and_uniform(void **state) {
     assert_near(moments[0].mean, 1.0 / 3,
                 LIMIT * sqrt(bl_moments_variance(&moments[0]) / moments[0].n));
     assert_near(moments[1].mean, 0, LIMIT * sqrt(bl_moments_variance(&moments[1]) / moments[1].n));
+    bl_signal_free(signal);
+}
+
+// Uniform within 2^10 cells each way, in multiples of 2^-32: mean 0 and variance 2^20/3, whose
+// squares have the variance 2^40 4/45. Both ends are met within a hundredth, but with a probability
+// of 2 (1 - 1/200)^4500 = 3e-10.
+static void test_offsets_are_uniform(void **state) {
+    (void)state;
+    bl_moments value = {.n = 0}, square = {.n = 0};
+    double low = 0, high = 0;
+    for (int seed = 0; seed < 500; seed++) {
+        char text[64];
+        snprintf(text, sizeof text, "fbm:shift=random,seed=%d", seed);
+        bl_signal *signal = open_signal(text);
+        const bl_octaves *octaves = octaves_of(signal);
+        assert_false(octaves->octave[0].shifted);
+        for (unsigned o = 1; o < octaves->plan.count; o++)
+            for (unsigned a = 0; a < octaves->dimensions; a++) {
+                double offset = octaves->octave[o].offset[a] * 0x1p-10;
+                assert_near(offset * 0x1p42, floor(offset * 0x1p42), 0);
+                bl_moments_add(&value, offset);
+                bl_moments_add(&square, offset * offset);
+                low = fmin(low, offset);
+                high = fmax(high, offset);
+            }
+        bl_signal_free(signal);
+    }
+    assert_near(value.n, 4500, 0);
+    assert_near(value.mean, 0, LIMIT * sqrt(1.0 / 3 / value.n));
+    assert_near(square.mean, 1.0 / 3, LIMIT * sqrt(4.0 / 45 / square.n));
+    assert_true(low >= -1 && high < 1);
+    assert_near(low, -1, 0.01);
+    assert_near(high, 1, 0.01);
+}
+
+// A sum that is seen at low frequencies only ends at 2^62 all the same.
+static void test_the_domain_of_slow_octaves_ends_where_it_is_stated_to(void **state) {
+    (void)state;
+    bl_signal *signal = open_signal("fractalsum:min=1/4,max=1/2");
+    for (int axis = 0; axis < 3; axis++)
+        for (int sign = -1; sign <= 1; sign += 2) {
+            double in[BL_AXES] = {0.5, 0.5, 0.5, 0}, out[BL_AXES] = {0.5, 0.5, 0.5, 0};
+            const double step[BL_AXES] = {0};
+            float row[2], points[2];
+            in[axis] = sign * 0x1p61;
+            out[axis] = sign * 0x1p62;
+            bl_signal_row(signal, in, step, 1, &row[0]);
+            bl_signal_row(signal, out, step, 1, &row[1]);
+            bl_signal_points(signal, (const double *const[]){&in[0], &in[1], &in[2], &in[3]}, 1,
+                             &points[0]);
+            bl_signal_points(signal, (const double *const[]){&out[0], &out[1], &out[2], &out[3]}, 1,
+                             &points[1]);
+            assert_true(isfinite(row[0]) && isfinite(points[0]));
+            assert_true(isnan(row[1]) && isnan(points[1]));
+            assert_true(isfinite(bl_signal_value(signal, in)));
+            assert_true(isnan(bl_signal_value(signal, out)));
+        }
     bl_signal_free(signal);
 }
 
@@ -567,7 +749,14 @@ int main(void) {
         cmocka_unit_test(test_octaves_of_one_seed_are_uncorrelated_at_a_random_place),
         cmocka_unit_test(test_octaves_of_one_seed_meet_at_the_origin),
         cmocka_unit_test(test_closed_forms_are_stated_only_where_they_hold),
+        cmocka_unit_test(test_the_mean_of_the_basis_is_kept),
+        cmocka_unit_test(test_ranges_follow_from_the_basis),
+        cmocka_unit_test(test_sizes_have_kinks_where_the_basis_crosses_zero),
+        cmocka_unit_test(test_the_finest_octave_loses_its_fraction_first),
+        cmocka_unit_test(test_a_period_is_left_where_nothing_is_turned),
         cmocka_unit_test(test_rotations_are_orthonormal_and_uniform),
+        cmocka_unit_test(test_offsets_are_uniform),
+        cmocka_unit_test(test_the_domain_of_slow_octaves_ends_where_it_is_stated_to),
         cmocka_unit_test(test_reseeding_is_opening_with_that_seed),
         cmocka_unit_test(test_errors_name_the_basis),
     };

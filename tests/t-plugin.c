@@ -122,6 +122,15 @@ static void test_places_out_of_range_never_reach_the_function(void **state) {
         bl_signal_points(signal, points, 2, row);
         assert_true(fabs((double)row[0]) <= 1 && isnan(row[1]));
     }
+    // A row that leaves the range, and one that comes back into it.
+    const double zero[BL_AXES] = {0}, away[BL_AXES] = {0x1.8p61}, out[BL_AXES] = {0x1.2p62};
+    const double back[BL_AXES] = {-0x1.8p61};
+    float row[4];
+    bl_signal_row(signal, zero, away, 4, row);
+    assert_true(fabs((double)row[0]) <= 1 && fabs((double)row[1]) <= 1);
+    assert_true(isnan(row[2]) && isnan(row[3]));
+    bl_signal_row(signal, out, back, 2, row);
+    assert_true(isnan(row[0]) && fabs((double)row[1]) <= 1);
     const double edge[BL_AXES] = {0x1p62, -0x1p62};
     assert_true(fabs(bl_signal_value(signal, edge)) <= 1);
     bl_signal_free(signal);
@@ -226,6 +235,9 @@ static void test_claims_that_cannot_be_are_refused(void **state) {
     refuse("bad_leak", BL_USAGE, "leak_db");
     refuse("bad_dims", BL_USAGE, "above 4");
     refuse("bad_period", BL_USAGE, "period");
+    refuse("bad_cell", BL_USAGE, "cell");
+    refuse("endless_cell", BL_USAGE, "cell");
+    refuse("bad_class", BL_USAGE, "continuity");
     refuse("bad_flags", BL_USAGE, "flags");
     refuse("bad_size", BL_DEVICE, "another size");
     refuse("long_claims", BL_DEVICE, "another size");
@@ -260,6 +272,21 @@ static void test_calls_of_a_function_that_is_not_thread_safe_come_one_by_one(voi
     bl_grid_fill(signal, &grid, 8, values);
     for (int i = 0; i < SIZE * SIZE; i++)
         assert_near((double)values[i], i % SIZE, 0);
+    static double places[SIZE * SIZE];
+    int wrong = 0;
+    for (int i = 0; i < SIZE * SIZE; i++)
+        places[i] = i;
+        // Points and single values, for long enough that threads meet.
+#pragma omp parallel for num_threads(4) schedule(static, 1) reduction(+ : wrong)
+    for (int i = 0; i < 200 * SIZE; i++) {
+        float row[SIZE];
+        const double *const x = places + (size_t)(i % SIZE) * SIZE;
+        bl_signal_points(signal, (const double *const[]){x, x, x, x}, SIZE, row);
+        for (int k = 0; k < SIZE; k++)
+            wrong += row[k] != (float)x[k];
+        wrong += bl_signal_value(signal, (const double[BL_AXES]){x[1]}) != x[1];
+    }
+    assert_int_equal(wrong, 0);
     bl_signal_free(signal);
 }
 

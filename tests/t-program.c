@@ -8,7 +8,9 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -305,7 +307,111 @@ static void test_a_value_that_is_no_number_passes_and_is_remembered(void **state
     bl_signal_free(signal);
 }
 
+static void test_a_failure_goes_before_a_value_that_is_no_number(void **state) {
+    (void)state;
+    const double zero[BL_AXES] = {0};
+    bl_message message = {""};
+    bl_signal *signal = open_good("", "1worse");
+    assert_true(isnan(bl_signal_value(signal, zero)));
+    assert_int_equal(bl_signal_complaint(signal, &message), BL_MISMATCH);
+    assert_true(isnan(bl_signal_value(signal, zero)));
+    assert_int_equal(bl_signal_complaint(signal, &message), BL_DEVICE);
+    assert_non_null(strstr(message.text, "exit status 7"));
+    bl_signal_free(signal);
+}
+
+// Opening asks for a value at a place that may have none, and that nobody wanted to know.
+static void test_no_value_at_the_origin_is_no_complaint(void **state) {
+    (void)state;
+    bl_message message = {""};
+    bl_signal *signal = open_good("", "0nan");
+    assert_int_equal(bl_signal_complaint(signal, &message), BL_OK);
+    bl_signal_free(signal);
+}
+
+// The time is that without a byte: eight answers 60 ms apart are in time for 0.3 s.
+static void test_a_slow_child_that_moves_is_waited_for(void **state) {
+    (void)state;
+    float row[8];
+    bl_message message = {""};
+    bl_signal *signal = open_good(",timeout=0.3", "1slow");
+    bl_signal_row(signal, start, step, 8, row);
+    for (size_t i = 0; i < 8; i++)
+        assert_true(row[i] == (float)expected_at(i, 3, 0));
+    assert_int_equal(bl_signal_complaint(signal, &message), BL_OK);
+    bl_signal_free(signal);
+}
+
+// An answer too many that comes when nobody asks must not become the answer of the next question.
+static void test_an_answer_twice_is_not_taken_for_the_next(void **state) {
+    (void)state;
+    const struct timespec pause = {0, 350000000};
+    bl_message message = {""};
+    bl_signal *signal = open_good("", "1again");
+    (void)bl_signal_value(signal, (const double[BL_AXES]){1});
+    nanosleep(&pause, NULL);
+    double second = bl_signal_value(signal, (const double[BL_AXES]){2});
+    assert_true(isnan(second));
+    assert_int_equal(bl_signal_complaint(signal, &message), BL_DEVICE);
+    assert_non_null(strstr(message.text, "more than it was asked"));
+    bl_signal_free(signal);
+}
+
+// The last 480 bytes of standard error are quoted, from whole letters on, also what was said in
+// pieces.
+static void test_the_end_of_what_a_child_says_is_quoted(void **state) {
+    (void)state;
+    refuse("cmd:sh -c 'printf \"%01000d\" 0 >&2; sleep 0.1; printf \"%050d\" 1 >&2; exit 3'",
+           BL_DEVICE, "00000000000000000000000000000000000000000000000000000000000000000001");
+    bl_signal *signal = NULL;
+    bl_message message = {""};
+    const char *letters =
+        "cmd:sh -c 'for i in $(seq 300); do printf \"\\303\\251\"; done >&2; "
+        "printf x >&2; exit 3'";
+    assert_int_equal(bl_source_open(letters, BL_ISA_BEST, &signal, &message), BL_DEVICE);
+    const char *quoted = strstr(message.text, "ends with: ");
+    assert_non_null(quoted);
+    assert_non_null(strstr(quoted, "\303\251\303\251x"));
+    assert_int_equal((unsigned char)quoted[strlen("ends with: ")], 0xC3);
+}
+
 // --- what a child is given ---
+
+// A child ends with all that it started: whoever holds a pipe open is still there.
+static void test_what_a_child_started_ends_with_it(void **state) {
+    (void)state;
+    char text[512], byte;
+    char *pipe = strdup(bl_temporary_path("alive"));
+    assert_int_equal(mkfifo(pipe, 0700), 0);
+    int file = open(pipe, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    assert_true(file >= 0);
+    snprintf(text, sizeof text, "cmd,timeout=1:sh -c '(echo; exec sleep 300) >%s & wait'", pipe);
+    refuse(text, BL_DEVICE, "moved no byte");
+    assert_int_equal(read(file, &byte, 1), 1); // it was there
+    struct pollfd waited = {file, POLLIN, 0};
+    assert_int_equal(poll(&waited, 1, 5000), 1);
+    assert_int_equal(read(file, &byte, 1), 0); // and has ended
+    close(file);
+    unlink(pipe);
+    free(pipe);
+}
+
+static void test_a_script_without_a_first_line_is_told(void **state) {
+    (void)state;
+    char text[512];
+    bl_temporary_write(bl_temporary_path("script"), "exit 3\n", 7);
+    assert_int_equal(chmod(bl_temporary_path("script"), 0700), 0);
+    snprintf(text, sizeof text, "cmd:%s", bl_temporary_path("script"));
+    refuse(text, BL_DEVICE, "needs a first line");
+}
+
+// "seed=" among the words of the program is its own matter.
+static void test_a_seed_among_the_words_is_no_setting(void **state) {
+    (void)state;
+    bl_signal *signal = open_good(",dims=2", "good seed=3");
+    check_values(signal, 2, 0);
+    bl_signal_free(signal);
+}
 
 // A child with a file of ours, or without the default meaning of SIGPIPE, would exit with 1.
 static void test_a_child_starts_fresh(void **state) {
@@ -344,6 +450,7 @@ static void check_words(const char *command, size_t count, const char *const *ex
 static void test_words_are_split_as_a_shell_does(void **state) {
     (void)state;
     check_words("  a\tb  ", 2, (const char *const[]){"a", "b"});
+    check_words("a b c d e", 5, (const char *const[]){"a", "b", "c", "d", "e"});
     check_words("a 'b c' \"d e\"", 3, (const char *const[]){"a", "b c", "d e"});
     check_words("a b\\ c '' x'y'\"z\"", 4, (const char *const[]){"a", "b c", "", "xyz"});
     check_words("a 'b\\c' \"b\\c\\\"\\\\\"", 3, (const char *const[]){"a", "b\\c", "b\\c\"\\"});
@@ -414,6 +521,14 @@ int main(void) {
         cmocka_unit_test(test_a_complaint_is_shared_with_copies),
         cmocka_unit_test(test_a_farewell_that_nobody_asked_for_is_told),
         cmocka_unit_test(test_a_value_that_is_no_number_passes_and_is_remembered),
+        cmocka_unit_test(test_a_failure_goes_before_a_value_that_is_no_number),
+        cmocka_unit_test(test_no_value_at_the_origin_is_no_complaint),
+        cmocka_unit_test(test_a_slow_child_that_moves_is_waited_for),
+        cmocka_unit_test(test_an_answer_twice_is_not_taken_for_the_next),
+        cmocka_unit_test(test_the_end_of_what_a_child_says_is_quoted),
+        cmocka_unit_test(test_what_a_child_started_ends_with_it),
+        cmocka_unit_test(test_a_script_without_a_first_line_is_told),
+        cmocka_unit_test(test_a_seed_among_the_words_is_no_setting),
         cmocka_unit_test(test_a_child_starts_fresh),
         cmocka_unit_test(test_a_broken_pipe_does_not_end_the_program),
         cmocka_unit_test(test_words_are_split_as_a_shell_does),

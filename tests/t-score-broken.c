@@ -123,6 +123,34 @@ static void test_no_noise_of_the_registry_fails_a_claim(void **state) {
         check_claims(more[i]);
 }
 
+// A property is held against the claim where there is one: that of its own kind.
+static void test_each_property_looks_at_its_own_claim(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *property;
+        bl_score_against against;
+    } cases[] = {{"scnoise", "isotropy", BL_AGAINST_CLAIM},
+                 {"scnoise", "stationarity", BL_AGAINST_CLAIM},
+                 {"gnoise", "isotropy", BL_AGAINST_IDEAL},
+                 {"gnoise", "stationarity", BL_AGAINST_IDEAL},
+                 {"simplex", "isotropy", BL_AGAINST_CLAIM},
+                 {"simplex", "stationarity", BL_AGAINST_IDEAL},
+                 {"spot:stretch=3", "isotropy", BL_AGAINST_IDEAL},
+                 {"spot:stretch=3", "stationarity", BL_AGAINST_CLAIM},
+                 {"gnoise", "continuity", BL_AGAINST_CLAIM},
+                 {"gnoise", "period", BL_AGAINST_CLAIM},
+                 {"gnoise", "far", BL_AGAINST_CLAIM},
+                 {"gnoise", "seeds", BL_AGAINST_IDEAL}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_signal *signal = bl_test_open(cases[i].text, BL_ISA_BEST);
+        bl_score_property found = quick(signal, cases[i].property);
+        if (found.against != cases[i].against)
+            fail_msg("%s: %s is against the %s", cases[i].text, cases[i].property,
+                     bl_score_against_word(found.against));
+        bl_signal_free(signal);
+    }
+}
+
 static void test_the_class_of_continuity_is_found(void **state) {
     (void)state;
     static const struct {
@@ -300,6 +328,7 @@ int main(void) {
         cmocka_unit_test(test_each_broken_noise_is_found_by_its_property),
         cmocka_unit_test(test_a_broken_noise_is_found_by_no_other_property),
         cmocka_unit_test(test_no_noise_of_the_registry_fails_a_claim),
+        cmocka_unit_test(test_each_property_looks_at_its_own_claim),
         cmocka_unit_test(test_the_class_of_continuity_is_found),
         cmocka_unit_test(test_a_jump_is_found_with_its_place_and_size),
         cmocka_unit_test(test_good_noises_fail_as_rarely_as_alpha_says),

@@ -278,6 +278,12 @@ static void test_a_wrong_range_mean_and_variance_are_caught(void **state) {
     assert_int_equal(claim_of(&result, "range"), BL_SCORE_FAIL);
     assert_int_equal(claim_of(&result, "mean"), BL_SCORE_PASS);
     assert_int_equal(result.verdict, BL_SCORE_FAIL);
+    samples = bl_score_find(&result, "minimum_of_samples")->estimate.value;
+    climbed = bl_score_find(&result, "minimum")->estimate.value;
+    signal->facts = noise->facts;
+    signal->facts.lower = 0.5 * (samples + climbed);
+    result = measure("range", signal);
+    assert_int_equal(claim_of(&result, "range"), BL_SCORE_FAIL);
     signal->facts = noise->facts;
     signal->facts.mean = 0.05 * sqrt(noise->facts.variance);
     result = measure("range", signal);
@@ -314,6 +320,129 @@ static void test_the_level_of_a_refuted_mean_is_told_by_what_it_misses(void **st
     bl_score_property result = measure("range", noise);
     expect(&result, "mean", BL_SCORE_FAIL, "at the level 1 - 5e-10");
     bl_signal_free(noise);
+}
+
+// The ideal range is [-1, 1] to rounding, on both sides.
+static void test_the_ideal_range_ends_at_one(void **state) {
+    (void)state;
+    static const struct {
+        double mean, amplitude;
+        bl_score_verdict verdict;
+    } cases[] = {{0, 1, BL_SCORE_PASS},
+                 {0, 1.01, BL_SCORE_FAIL},
+                 {0.5, 0.52, BL_SCORE_FAIL},
+                 {-0.5, 0.52, BL_SCORE_FAIL}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_signal *cosine =
+            bl_test_cosine(cases[i].mean, cases[i].amplitude, (const double[]){0.37, 0.2, 0.1});
+        cosine->facts = bl_facts_unknown();
+        bl_score_property result = measure("range", cosine);
+        expect(&result, "a cosine", cases[i].verdict, "no range is stated");
+        // Mean square about a mean that is not stated: 64 blocks of 1024, an error of 0.5 %.
+        assert_near(bl_score_find(&result, "variance")->estimate.value,
+                    0.5 * cases[i].amplitude * cases[i].amplitude, 0.02);
+        bl_signal_free(cosine);
+    }
+}
+
+// White noise of variance 8 for one seed in eight and 0 for the others: 64 blocks tell too little
+// to agree with any number, even the right one.
+typedef struct rare {
+    uint64_t seed;
+    bl_signal *white; // not owned
+} rare;
+
+static double rare_gain(const rare *r) {
+    return (r->seed * UINT64_C(0x9E3779B97F4A7C15)) >> 61 ? 0 : sqrt(8);
+}
+
+static void rare_points(const void *parameters, const double *const at[BL_AXES], size_t count,
+                        float *out) {
+    const rare *r = parameters;
+    bl_signal_points(r->white, at, count, out);
+    for (size_t i = 0; i < count; i++)
+        out[i] *= (float)rare_gain(r);
+}
+
+static double rare_value(const void *parameters, const double at[BL_AXES]) {
+    const rare *r = parameters;
+    return rare_gain(r) * bl_signal_value(r->white, at);
+}
+
+static const bl_signal_functions rare_functions = {.points = rare_points, .value = rare_value};
+
+static void test_what_is_known_too_coarsely_is_inconclusive(void **state) {
+    (void)state;
+    rare r = {.white = bl_test_white(3)};
+    bl_signal *signal = bl_signal_new(&rare_functions, &r, sizeof r, "rare");
+    assert_non_null(signal);
+    signal->seed_offset = offsetof(rare, seed);
+    signal->dimensions = 3;
+    signal->facts.mean = 0;
+    signal->facts.variance = 1;
+    bl_score_property result = measure("range", signal);
+    assert_int_equal(claim_of(&result, "mean"), BL_SCORE_PASS);
+    assert_int_equal(claim_of(&result, "variance"), BL_SCORE_INCONCLUSIVE);
+    assert_int_equal(result.verdict, BL_SCORE_INCONCLUSIVE);
+    bl_signal_free(signal);
+    bl_signal_free(r.white);
+}
+
+// The rule of a claimed leak, from the limits that are told: it fails below the lower one, passes
+// from 1 dB below the upper one on, and is inconclusive between. All three occur.
+static void test_a_claimed_leak_is_judged_by_its_limits(void **state) {
+    (void)state;
+    static const double alphas[] = {1e-3, 1e-9, 1e-60};
+    static const double offsets[] = {-3, -1.5, -0.5, 0, 1, 4};
+    size_t seen[4] = {0};
+    bl_signal *noise = open_noise("vnoise");
+    const double stated = noise->facts.leak_db;
+    for (size_t a = 0; a < sizeof alphas / sizeof *alphas; a++)
+        for (size_t o = 0; o < sizeof offsets / sizeof *offsets; o++) {
+            bl_score_settings settings = quick(alphas[a]);
+            double value, from, to, lower, upper, claim = stated + offsets[o];
+            noise->facts.leak_db = claim;
+            bl_score_property result =
+                measure_subject("band", &(bl_score_subject){.signal = noise}, &settings);
+            int read = sscanf(result.reason,
+                              "%lf dB of the variance outside of %lf to %lf cycles per unit along "
+                              "x (%lf to %lf",
+                              &value, &from, &to, &lower, &upper);
+            assert_int_equal(read, 5);
+            bl_score_verdict verdict = lower > claim        ? BL_SCORE_FAIL
+                                       : upper <= claim + 1 ? BL_SCORE_PASS
+                                                            : BL_SCORE_INCONCLUSIVE;
+            expect(&result, "vnoise", verdict, "the claim");
+            seen[verdict]++;
+        }
+    assert_true(seen[BL_SCORE_FAIL] && seen[BL_SCORE_PASS] && seen[BL_SCORE_INCONCLUSIVE]);
+    bl_signal_free(noise);
+}
+
+// A line below the band that is claimed is outside of it, as one above it is.
+static void test_a_claimed_band_has_two_ends(void **state) {
+    (void)state;
+    static const double lines[] = {0.2, 0.75, 1.5};
+    for (int i = 0; i < 3; i++) {
+        bl_signal *cosine = bl_test_cosine(0, 1, (const double[]){lines[i], 0, 0});
+        cosine->facts.band_from = 0.5;
+        cosine->facts.band_to = 1;
+        cosine->facts.leak_db = -20;
+        bl_score_property result = measure("band", cosine);
+        expect(&result, "a cosine", i == 1 ? BL_SCORE_PASS : BL_SCORE_FAIL, "the claim");
+        bl_signal_free(cosine);
+    }
+}
+
+// A wave along z has 0.8/sqrt 3 = 0.46 cycles a unit along the diagonal of space.
+static void test_the_diagonal_is_that_of_space(void **state) {
+    (void)state;
+    bl_signal *cosine = bl_test_cosine(0, 1, (const double[]){0, 0, 0.8});
+    bl_score_property result = measure("band", cosine);
+    const bl_score_number *share = bl_score_find(&result, "share_0_3_to_0_7_diagonal");
+    assert_non_null(share);
+    assert_near(share->estimate.value, 1, 1e-6);
+    bl_signal_free(cosine);
 }
 
 static void test_a_band_claimed_too_strongly_is_caught(void **state) {
@@ -499,6 +628,17 @@ static void test_mean_and_variance_fail_as_often_as_alpha_says(void **state) {
         failed += result.verdict == BL_SCORE_FAIL;
     }
     assert_less((double)failed, most_failures(runs, 0.1));
+    // Nor more seldom: with 1/2 shared by the two, at least a quarter of 60 runs fails but for a
+    // probability of (3/4)^60 (1 + 20) = 7e-7 of one or none.
+    settings = quick(0.5);
+    failed = 0;
+    for (size_t i = 0; i < 60; i++) {
+        settings.seed = 100 + i;
+        bl_score_property result =
+            measure_subject("range", &(bl_score_subject){.signal = hat}, &settings);
+        failed += claim_of(&result, "mean") == BL_SCORE_FAIL;
+    }
+    assert_true(failed > 1);
     bl_signal_free(hat);
 }
 
@@ -545,6 +685,11 @@ int main(void) {
         cmocka_unit_test(test_another_instruction_set_with_other_bits_is_caught),
         cmocka_unit_test(test_a_wrong_range_mean_and_variance_are_caught),
         cmocka_unit_test(test_the_level_of_a_refuted_mean_is_told_by_what_it_misses),
+        cmocka_unit_test(test_the_ideal_range_ends_at_one),
+        cmocka_unit_test(test_what_is_known_too_coarsely_is_inconclusive),
+        cmocka_unit_test(test_a_claimed_leak_is_judged_by_its_limits),
+        cmocka_unit_test(test_a_claimed_band_has_two_ends),
+        cmocka_unit_test(test_the_diagonal_is_that_of_space),
         cmocka_unit_test(test_a_band_claimed_too_strongly_is_caught),
         cmocka_unit_test(test_a_band_without_a_number_for_its_leak_is_judged),
         cmocka_unit_test(test_a_signal_without_numbers_fails),

@@ -242,6 +242,27 @@ static void test_the_normalisation_keeps_the_bound(void **state) {
         }
 }
 
+// The factor that the noise has is the one certified: on a corner all others are out of reach, and
+// the gradient there is N r2^4 times one of its gradients, of length 1, sqrt 2 or sqrt 3.
+static void test_the_noise_is_normalised_by_what_is_certified(void **state) {
+    (void)state;
+    static const double numbers[2][5] = {{0, 0, 99, 76, 61}, {0, 0, 34, 32, 26}};
+    for (int wide = 0; wide < 2; wide++)
+        for (unsigned dims = 2; dims <= 4; dims++) {
+            char text[64];
+            const double zero[BL_AXES] = {0}, radius2 = wide ? 0.6 : 0.5;
+            double gradient[BL_AXES] = {0}, square = 0;
+            snprintf(text, sizeof text, "simplex:dims=%u,radius2=%g", dims, radius2);
+            bl_signal *signal = bl_test_open(text, BL_ISA_BEST);
+            signal->functions->gradient(signal->parameters, zero, gradient);
+            for (unsigned a = 0; a < dims; a++)
+                square += gradient[a] * gradient[a];
+            double expected = numbers[wide][dims] * pow(radius2, 4) * sqrt(dims - 1);
+            assert_near(sqrt(square), expected, 1e-7 * expected); // a diagonal is a float
+            bl_signal_free(signal);
+        }
+}
+
 // --- the closed forms ---------------------------------------------------------------------------
 
 // int f over [0, to] by Simpson's rule.
@@ -378,6 +399,7 @@ int main(void) {
         cmocka_unit_test(test_the_corners_are_all_that_reach_a_point),
         cmocka_unit_test(test_the_gradients_have_the_moments_stated),
         cmocka_unit_test(test_the_normalisation_keeps_the_bound),
+        cmocka_unit_test(test_the_noise_is_normalised_by_what_is_certified),
         cmocka_unit_test(test_the_closed_forms_agree),
         cmocka_unit_test(test_a_corner_is_a_radius_from_its_facet),
         cmocka_unit_test(test_the_skew_of_near_cells_is_that_of_128_bits),

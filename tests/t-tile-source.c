@@ -109,6 +109,34 @@ static void test_a_raw_volume_is_read_as_it_stands(void **state) {
     bl_signal_free(signal);
 }
 
+// Four axes, x fastest; and a row that leaves its line is not a run of samples.
+static void test_all_four_axes_have_their_place(void **state) {
+    (void)state;
+    enum { X = 3, Y = 2, Z = 4, W = 5 };
+    float values[X * Y * Z * W];
+    for (int n = 0; n < X * Y * Z * W; n++)
+        values[n] = (float)n;
+    bl_temporary_write(bl_temporary_path("four.raw"), values, sizeof values);
+    bl_signal *signal = open_good("four.raw", ":size=3x2x4x5");
+    assert_int_equal(signal->dimensions, 4);
+    for (int w = 0; w < W; w++)
+        for (int z = 0; z < Z; z++)
+            for (int y = 0; y < Y; y++)
+                for (int x = 0; x < X; x++) {
+                    const double place[BL_AXES] = {x, y, z, w};
+                    assert_near(bl_signal_value(signal, place), x + X * (y + Y * (z + Z * w)), 0);
+                }
+    for (int axis = 1; axis < BL_AXES; axis++) {
+        double step[BL_AXES] = {1};
+        float row[2];
+        step[axis] = 1;
+        const double far = axis == 1 ? X : axis == 2 ? X * Y : X * Y * Z;
+        bl_signal_row(signal, (const double[BL_AXES]){0}, step, 2, row);
+        assert_near((double)row[1], 1 + far, 0);
+    }
+    bl_signal_free(signal);
+}
+
 static void test_a_wrapped_tile_fills_all_space(void **state) {
     (void)state;
     make_volume();
@@ -118,6 +146,8 @@ static void test_a_wrapped_tile_fills_all_space(void **state) {
         const bl_signal *tile = tiles[mirror];
         assert_near(tile->facts.period[0], 5 * (1 + mirror), 0);
         assert_near(tile->facts.period[2], 3 * (1 + mirror), 0);
+        assert_near(tile->facts.period[3], 0, 0); // along which it is constant
+        assert_near(tile->facts.cell, 1, 0);
         assert_int_equal(tile->extent.size[0], 5); // measured on its own samples
         for (long i = -13; i < 13; i++)
             for (long j = -9; j < 9; j++)
@@ -388,6 +418,15 @@ static void test_every_bad_raw_file_is_refused_with_its_reason(void **state) {
     refuse("empty.raw", ":size=1", BL_MISMATCH, "0 bytes");
 }
 
+// Memory counts floats, whatever the file has.
+static void test_the_memory_is_that_of_floats(void **state) {
+    (void)state;
+    static const unsigned char bytes[300000];
+    bl_temporary_write(bl_temporary_path("large.raw"), bytes, sizeof bytes);
+    refuse("large.raw", ":size=300x1000,dtype=uint8,memory=1", BL_MISMATCH, "give memory=2");
+    bl_signal_free(open_good("large.raw", ":size=300x1000,dtype=uint8,memory=2"));
+}
+
 // Bytes that are no sensible floats are values all the same, and stop a measurement.
 static void test_values_that_are_no_numbers_are_found(void **state) {
     (void)state;
@@ -407,6 +446,7 @@ static void test_values_that_are_no_numbers_are_found(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_raw_volume_is_read_as_it_stands),
+        cmocka_unit_test(test_all_four_axes_have_their_place),
         cmocka_unit_test(test_a_wrapped_tile_fills_all_space),
         cmocka_unit_test(test_linear_reading_is_the_multilinear_formula),
         cmocka_unit_test(test_cubic_reading_is_exact_for_quadratics_and_smooth),
@@ -417,6 +457,7 @@ int main(void) {
         cmocka_unit_test(test_linear_reading_shows_the_images_of_the_spectrum),
         cmocka_unit_test(test_a_volume_is_measured_in_three_dimensions),
         cmocka_unit_test(test_every_bad_raw_file_is_refused_with_its_reason),
+        cmocka_unit_test(test_the_memory_is_that_of_floats),
         cmocka_unit_test(test_values_that_are_no_numbers_are_found),
     };
     return bl_run_tests(tests);

@@ -61,6 +61,25 @@ static void misbehave(const char *mode, size_t count) {
         fprintf(stderr, "log of -1\n");
         values[count - 1] = NAN;
     }
+    if (strcmp(mode, "worse") == 0) { // first no number, then the end
+        static int before;
+        if (before++)
+            exit(7);
+        values[count - 1] = NAN;
+    }
+    if (strcmp(mode, "slow") == 0) { // but it moves
+        for (size_t i = 0; i < count; i++) {
+            fwrite(values + i, sizeof *values, 1, stdout);
+            fflush(stdout);
+            usleep(60000);
+        }
+        return;
+    }
+    if (strcmp(mode, "again") == 0) { // the answer once more, a moment later
+        usleep(200000);
+        put(count);
+        usleep(20000);
+    }
     if (strcmp(mode, "talk") == 0) {
         for (int i = 0; i < 20000; i++)
             fprintf(stderr, "line %d\033[31m\n", i);
