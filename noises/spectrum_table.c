@@ -26,6 +26,8 @@ static const char *read_field(const char *text, double *number) {
 }
 
 static bl_status complain(const reader *in, const char *what) {
+    if (in->line == 0)
+        return bl_report(in->message, BL_USAGE, "csv=%s: the file is empty", in->path);
     return bl_report(in->message, BL_USAGE, "csv=%s, line %zu: %s", in->path, in->line, what);
 }
 

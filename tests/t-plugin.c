@@ -7,6 +7,7 @@
 
 #include <dlfcn.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include "core/grid.h"
 #include "include/bandlimit_plugin.h"
@@ -427,6 +428,35 @@ static void test_what_ends_in_so_is_a_function(void **state) {
     assert_int_equal(bl_source_kind_of(""), BL_SOURCE_NOISE);
 }
 
+// The examples that need a library are built where it is, and not counted as passed elsewhere.
+static void check_wrapper(const char *header, const char *name, const char *function) {
+    char command[600], text[300];
+    if (access(header, R_OK) != 0) {
+        fprintf(stderr, "skipped: %s is not installed\n", header);
+        skip();
+    }
+    snprintf(command, sizeof command,
+             "cp examples/plugin/* %s && make -s -C %s INCLUDE=$PWD/include %s.so",
+             bl_temporary_folder(), bl_temporary_folder(), name);
+    assert_int_equal(system(command), 0);
+    snprintf(text, sizeof text, "%s/%s.so:%s", bl_temporary_folder(), name, function);
+    bl_ran ran = bl_run_program("check", text, "--claims", "--quick");
+    if (strcmp(name, "libnoise") == 0 && ran.status != 0)
+        fail_msg("%s: %s%s", text, ran.out, ran.err);
+    assert_true(ran.status == 0 || ran.status == 2); // stb_perlin's coordinates are floats
+    bl_ran_free(&ran);
+}
+
+static void test_the_wrapper_of_libnoise_keeps_what_it_claims(void **state) {
+    (void)state;
+    check_wrapper("/usr/include/libnoise/noise.h", "libnoise", "value");
+}
+
+static void test_the_wrapper_of_stb_perlin_is_built(void **state) {
+    (void)state;
+    check_wrapper("/usr/include/stb/stb_perlin.h", "stb_perlin", "noise");
+}
+
 // The signal that ends it stays the one of the crash. A sanitizer has a handler of its own.
 static void test_a_crash_names_the_function(void **state) {
     (void)state;
@@ -476,6 +506,8 @@ int main(void) {
         cmocka_unit_test(test_every_bad_file_is_refused_with_its_reason),
         cmocka_unit_test(test_what_ends_in_so_is_a_function),
         cmocka_unit_test(test_a_crash_names_the_function),
+        cmocka_unit_test(test_the_wrapper_of_libnoise_keeps_what_it_claims),
+        cmocka_unit_test(test_the_wrapper_of_stb_perlin_is_built),
     };
     return bl_run_tests(tests);
 }

@@ -406,6 +406,10 @@ static void test_every_bad_raw_file_is_refused_with_its_reason(void **state) {
     refuse("vol.raw", ":size=2147483648x2147483648x2147483648", BL_MISMATCH, "240 bytes");
     refuse("vol.raw", ":size=5x4x3,memory=0", BL_MISMATCH, "give memory=1");
     refuse("vol.raw", ":size=5x4x3,spacing=0", BL_USAGE, "spacing=0");
+    bl_temporary_write(bl_temporary_path("noise.py"), "print()\n", 8);
+    refuse("noise.py", "", BL_USAGE, "cmd:python3 ");
+    bl_temporary_write(bl_temporary_path("mine.c"), "int x;\n", 7);
+    refuse("mine.c", ":mine", BL_USAGE, "-fPIC -shared");
     refuse("vol.raw", ":size=5x4x3,spacing=-1", BL_USAGE, "above 0");
     refuse("vol.raw", ":size=5x4x3,warp=mirror", BL_USAGE, "did you mean 'wrap'");
     refuse("vol.raw", ":size=5x4x3,dtype=float16", BL_USAGE, "float32 uint8 uint16");
