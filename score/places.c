@@ -46,7 +46,7 @@ int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *s
     look->range = upper - lower;
     look->deviation = sqrt(bl_moments_variance(&moments));
     // Floats of a constant that is computed, such as an interpolation between equal values.
-    double size = fmax(fmax(fabs(lower), fabs(upper)), fabs(signal->facts.upper)); // or no NaN
+    double size = fmax(fmax(fabs(lower), fabs(upper)), fabs(signal->facts.upper)); // fmax drops NaN
     if (look->range <= 32 * 0x1p-24 * (isfinite(size) ? size : 0)) {
         bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "the signal is the constant %g",
                        lower);
