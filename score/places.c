@@ -45,7 +45,9 @@ int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *s
     look->mean = moments.mean;
     look->range = upper - lower;
     look->deviation = sqrt(bl_moments_variance(&moments));
-    if (look->range <= 0) {
+    // Floats of a constant that is computed, such as an interpolation between equal values.
+    double size = fmax(fmax(fabs(lower), fabs(upper)), fabs(signal->facts.upper)); // fmax drops NaN
+    if (look->range <= 32 * 0x1p-24 * (isfinite(size) ? size : 0)) {
         if (bl_score_varies(signal, settings, result))
             bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
                            "the signal is the constant %g", lower);
