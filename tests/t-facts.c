@@ -12,6 +12,7 @@
 
 #include "core/random.h"
 #include "core/statistics.h"
+#include "tests/jumps.h"
 #include "tests/texts.h"
 
 #define ERROR_RATE 1e-6
@@ -49,37 +50,9 @@ static int is_constant(const bl_signal *signal) {
 
 // --- continuity ---------------------------------------------------------------------------------
 //
-// On a line of samples h apart, the difference of order k+1 divided by h^k is of size h times the
-// derivative of order k+1 where there is one, and of the size of the jump where the derivative of
-// order k jumps. From 8 h to h the largest of a line shrinks to an eighth, or stays. On ten times
-// as many lines as here it shrank to 0.23 at most, or stayed above 0.48; the limit is the root of
-// 1/8.
+// tests/jumps.h finds the jumps.
 
-enum { FINER = 8, ORDERS = 4, LONG = 4096, SHORT = 512, OBLIQUE = BL_AXES };
-
-static double largest_difference(const double *value, size_t count, size_t stride, unsigned order) {
-    static const double binomial[ORDERS][ORDERS + 1] = {
-        {-1, 1}, {1, -2, 1}, {-1, 3, -3, 1}, {1, -4, 6, -4, 1}};
-    double largest = 0;
-    for (size_t i = 0; i + (order + 1) * stride < count; i++) {
-        double difference = 0;
-        for (unsigned k = 0; k <= order + 1; k++)
-            difference += binomial[order][k] * value[i + k * stride];
-        largest = fmax(largest, fabs(difference));
-    }
-    return largest / pow((double)stride, order);
-}
-
-// Whether the derivative of this order jumps somewhere on the line. Differences of the size of the
-// rounding of the values, as those of a noise whose waves are long, say nothing.
-static int jumps(const double *value, size_t count, unsigned order) {
-    double size = 0, fine = largest_difference(value, count, 1, order);
-    for (size_t i = 0; i < count; i++)
-        size = fmax(size, fabs(value[i]));
-    // The sum of the binomials is 16 at most; 256 is for the rounding of phases and places.
-    return fine > 256 * 16 * 0x1p-52 * size &&
-           !(largest_difference(value, count, FINER, order) > sqrt(FINER) * fine);
-}
+enum { ORDERS = BL_JUMP_ORDERS, LONG = 4096, SHORT = 512, OBLIQUE = BL_AXES };
 
 // A line along an axis at a random place across, or an oblique one, with steps of h or
 // about it. It begins at a multiple of h, so that the steps are equal.
@@ -109,7 +82,7 @@ static int jumps_somewhere(const bl_signal *signal, unsigned axis, bl_random *ra
     static double line[UNIT + 1];
     for (int attempt = 0; attempt < LINES; attempt++) {
         sample_line(signal, random, axis, fmax(1, signal->facts.cell) / UNIT, UNIT + 1, line);
-        if (jumps(line, UNIT + 1, 0))
+        if (bl_jumps(line, UNIT + 1, 0))
             return 1;
     }
     return 0;
@@ -122,7 +95,7 @@ static void check_continuity(const bl_signal *signal, unsigned axis, bl_random *
     int stated = signal->facts.continuity;
     double cell = finest_cell(&signal->facts);
     sample_line(signal, random, axis, 0x1p-17 * cell, SHORT + 1, fine);
-    int jumped = jumps(fine, SHORT + 1, 0);
+    int jumped = bl_jumps(fine, SHORT + 1, 0);
     if (stated < 0 && !jumped)
         jumped = jumps_somewhere(signal, axis, random);
     if (jumped != (stated < 0))
@@ -137,10 +110,10 @@ static void check_continuity(const bl_signal *signal, unsigned axis, bl_random *
         double step = attempt < 4 ? 0x1p-11 * cell : attempt < 14 ? 0x1p-14 * cell : 0x1p-11;
         sample_line(signal, random, axis, step, LONG + 1, line);
         for (int order = 0; order <= stated && order < ORDERS; order++)
-            if (jumps(line, LONG + 1, (unsigned)order))
+            if (bl_jumps(line, LONG + 1, (unsigned)order))
                 fail_msg("%s: states class %d, and derivative %d jumps on line %u", signal->text,
                          stated, order, axis);
-        found = found || jumps(line, LONG + 1, (unsigned)stated + 1);
+        found = found || bl_jumps(line, LONG + 1, (unsigned)stated + 1);
     }
     if (!found)
         fail_msg("%s: states class %d, and derivative %d does not jump along %c", signal->text,
