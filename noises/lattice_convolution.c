@@ -316,7 +316,7 @@ BL_CLOSED_FORM_OF_TERMS
 static void describe(const void *block, bl_facts *facts) {
     const convolution_parameters *p = block;
     bl_terms terms = terms_of(block);
-    bl_terms_describe(&terms, has_closed_form(block), facts);
+    bl_terms_describe(&terms, p->kernel == KERNEL_EXACT, &p->lattice, facts);
     bl_bound bound = bl_bound_lattice_convolution(p->kernel == KERNEL_EXACT ? 0 : p->table_rate);
     bl_lattice_describe(bound, p->kernel == KERNEL_EXACT ? 1 : -1, &p->lattice, facts);
 }

@@ -314,9 +314,11 @@ static void describe(const void *block, bl_facts *facts) {
     bl_profile profile = profile_of(p);
     bl_terms terms = terms_of(p);
     if (profile == BL_PROFILE_CATMULL_ROM || !has_closed_form(p))
-        bl_terms_describe(&terms, has_closed_form(block), facts);
+        bl_terms_describe(&terms, p->kernel != KERNEL_TABLE, &p->lattice, facts);
     else
         bl_impulses_describe(covariance, p, 3, BL_RADIAL_REACH, 1, facts);
+    if (p->kernel != KERNEL_TABLE && bl_lattice_differs_within(&p->lattice, 3, BL_RADIAL_REACH))
+        facts->variance = covariance(p, (const double[BL_AXES]){0});
     facts->stationary = facts->isotropic = bl_lattice_is_hash(&p->lattice);
     bl_bound bound = bl_bound_sparse_convolution(p->kernel == KERNEL_TABLE ? p->table_rate : 0);
     if (profile != BL_PROFILE_CATMULL_ROM)

@@ -22,10 +22,16 @@
 // All settings of the registry, and some that depend on two keys.
 static bl_texts *all_texts(void) {
     static bl_texts list;
-    static const char *const more[] = {"gnoise:fade=quintic,gradients=edges,lattice=perm256",
-                                       "vgnoise:interp=bspline3,fade=quintic",
-                                       "vgnoise:interp=bspline3,fade=linear,gradients=rejection",
-                                       "scnoise:impulses=1,kernel=table:100,lattice=perm256"};
+    static const char *const more[] = {
+        "gnoise:fade=quintic,gradients=edges,lattice=perm256",
+        "vgnoise:interp=bspline3,fade=quintic",
+        "vgnoise:interp=bspline3,fade=linear,gradients=rejection",
+        // Periods as short as the footprint of the kernel.
+        "vnoise:interp=bspline2,period=3", "vcnoise:period=4", "vnoise:dims=1,period=4,1,1",
+        "hermite:period=3,0,4", "scnoise:period=4,impulses=1",
+        "scnoise:period=4,kernel=cosine,count=poisson", "wiener:period=4",
+        "perlin2002:lattice=hash,period=3", "spot:period=3", "gabor:period=3,4",
+        "fbm:basis.period=4,octaves=2", "scnoise:impulses=1,kernel=table:100,lattice=perm256"};
     if (list.count)
         return &list;
     list = *bl_test_texts();
@@ -402,6 +408,37 @@ static void test_mean_and_variance_are_the_ones_stated(void **state) {
     }
 }
 
+static void test_a_period_shorter_than_the_kernel_has_no_variance(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        int stated;
+    } cases[] = {{"vnoise:period=4", 1},
+                 {"vnoise:period=0,3", 0},
+                 {"vnoise:dims=1,period=4,1,1", 1},
+                 {"vnoise:interp=bspline2,period=2", 0},
+                 {"gnoise:period=2", 1},
+                 {"gnoise:period=4,1", 0},
+                 {"gnoise:period=9,lattice=perm256", 0},
+                 {"vgnoise:period=3", 0},
+                 {"hermite:period=1", 0},
+                 {"vcnoise:period=3", 0},
+                 {"vcnoise:period=9,kernel=table:100", 0},
+                 {"scnoise:period=3", 0},
+                 {"scnoise:period=9,kernel=table:100", 0},
+                 {"wiener:period=3", 0},
+                 {"spot:period=1", 0},
+                 {"spot:period=1,radius=0.5", 1},
+                 {"gabor:period=1", 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_signal *signal = open_signal(cases[i].text);
+        if (isnan(signal->facts.variance) == cases[i].stated || signal->closed_form)
+            fail_msg("%s: variance %g, closed form %d", cases[i].text, signal->facts.variance,
+                     signal->closed_form);
+        bl_signal_free(signal);
+    }
+}
+
 // --- stationarity -------------------------------------------------------------------------------
 
 // The sum over the 8 corners of the half cell (vertex, edges, faces, centre) of the squared
@@ -471,6 +508,7 @@ int main(void) {
         cmocka_unit_test(test_the_period_is_the_one_stated),
         cmocka_unit_test(test_the_fraction_ends_where_it_is_stated_to),
         cmocka_unit_test(test_mean_and_variance_are_the_ones_stated),
+        cmocka_unit_test(test_a_period_shorter_than_the_kernel_has_no_variance),
         cmocka_unit_test(test_impulse_noises_have_the_same_variance_all_over_the_cell),
         cmocka_unit_test(test_lattice_noises_show_their_cell_in_the_variance),
     };
