@@ -22,7 +22,8 @@
 // Deviations from peachey2003, pp. 78-80: random numbers come from a hash of cell and seed; with
 // perm256 from the text's index and the project's generator. The listing is named vnoise once.
 //
-// Float results are within 1e-6 of the double reference at any coordinate below 2^31.
+// Float results are within 1e-6 of the double reference at any coordinate below 2^62; beyond, for
+// NaN and for infinity the noise is NaN, and from 2^52 on the fraction within a cell is lost.
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
