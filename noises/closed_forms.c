@@ -116,11 +116,13 @@ double bl_terms_share_above(const bl_terms *terms, double frequency) {
     return bl_covariance_share_above(covariance_of_terms, terms, reach(terms), frequency);
 }
 
-void bl_terms_describe(const bl_terms *terms, int holds, bl_facts *facts) {
+void bl_terms_describe(const bl_terms *terms, int holds, const bl_lattice_settings *lattice,
+                       bl_facts *facts) {
     facts->mean = 0;
-    if (!holds)
+    if (holds && bl_lattice_differs_within(lattice, (unsigned)axes(terms), reach(terms)))
+        facts->variance = bl_terms_variance(terms);
+    if (!holds || !bl_lattice_is_hash(lattice))
         return;
-    facts->variance = bl_terms_variance(terms);
     facts->covariance_reach = reach(terms);
     facts->band_from = 0;
     facts->band_to = 1;

@@ -334,6 +334,8 @@ static void describe(const void *block, bl_facts *facts) {
     facts->mean = 0;
     if (has_closed_form(block))
         bl_impulses_describe(covariance, p, 2, 2, p->frequency + p->bandwidth, facts);
+    else if (bl_lattice_differs_within(&p->lattice, 2, 2))
+        facts->variance = covariance(p, (const double[BL_AXES]){0});
     facts->stationary = has_closed_form(block);
     facts->isotropic = facts->stationary && p->kind == KIND_ISOTROPIC;
     bl_bound bound = {9.0 * impulse_count_most(p->impulses, 1) / sqrt(p->impulses),

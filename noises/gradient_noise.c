@@ -17,7 +17,7 @@
 //              midpoints of a cube, of length sqrt 2); noises/lattice_dimensions.h has those of
 //              1, 2 and 4 dimensions and their variances
 //   lattice    hash, or the text's perm256, which repeats after 256 cells (noises/lattice.h)
-//   component, period   noises/common_parameters.h; with a period no variance is stated
+//   component, period   noises/common_parameters.h; with a period no closed form
 //
 // Units: coordinates in cells. The noise is 0 at the lattice points; its gradient there is g_c,
 // but for fade=linear, which has a kink there.
@@ -114,7 +114,7 @@ static void describe(const void *block, bl_facts *facts) {
     bl_kernel weight = bl_gradient_weights[p->fade];
     bl_bound bound =
         bl_bound_gradient_in(weight, p->gradients == BL_GRADIENTS_EDGES, p->dimensions);
-    bl_terms_describe(&terms, has_closed_form(block), facts);
+    bl_terms_describe(&terms, 1, &p->lattice, facts);
     bl_lattice_describe(bound, bl_kernel_continuity(weight), &p->lattice, facts);
 }
 

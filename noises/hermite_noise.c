@@ -269,7 +269,7 @@ static void describe(const void *block, bl_facts *facts) {
     const hermite_parameters *p = block;
     bl_terms terms = terms_of(block);
     bl_bound bound = bl_bound_hermite();
-    bl_terms_describe(&terms, has_closed_form(block), facts);
+    bl_terms_describe(&terms, 1, &p->lattice, facts);
     bl_lattice_describe(bound, 1, &p->lattice, facts);
 }
 

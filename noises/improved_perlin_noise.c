@@ -92,7 +92,7 @@ static int has_closed_form(const void *block) {
 static void describe(const void *block, bl_facts *facts) {
     const improved_parameters *p = block;
     bl_terms terms = terms_of(block);
-    bl_terms_describe(&terms, has_closed_form(block), facts);
+    bl_terms_describe(&terms, 1, &p->lattice, facts);
     bl_lattice_describe(bl_bound_gradient(BL_KERNEL_QUINTIC, 1), 2, &p->lattice, facts);
 }
 

@@ -127,6 +127,16 @@ static inline int bl_lattice_is_hash(const bl_lattice_settings *settings) {
            settings->period[1] == 0 && settings->period[2] == 0 && settings->period[3] == 0;
 }
 
+// Whether all the numbers within any `footprint` cells along each axis differ, and are independent:
+// a kernel that is not wider then sees what it would see without periods, at one place.
+static inline int bl_lattice_differs_within(const bl_lattice_settings *settings,
+                                            unsigned dimensions, double footprint) {
+    for (unsigned a = 0; a < dimensions; a++)
+        if (settings->period[a] != 0 && settings->period[a] < footprint)
+            return 0;
+    return settings->kind == BL_LATTICE_HASH;
+}
+
 // The cell that stands for `cell` (a signed number in two's complement) in a periodic lattice, from
 // 0 to the period - 1.
 static inline uint64_t bl_lattice_wrap(const bl_lattice *lattice, unsigned axis, uint64_t cell) {

@@ -22,7 +22,8 @@
 // Deviations from peachey2003, pp. 78-80: random numbers come from a hash of cell and seed; with
 // perm256 from the text's index and the project's generator. The listing is named vnoise once.
 //
-// Float results are within 1e-6 of the double reference at any coordinate below 2^31.
+// Float results are within 1e-6 of the double reference at any coordinate below 2^62; beyond, for
+// NaN and for infinity the noise is NaN, and from 2^52 on the fraction within a cell is lost.
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -316,7 +317,7 @@ BL_CLOSED_FORM_OF_TERMS
 static void describe(const void *block, bl_facts *facts) {
     const convolution_parameters *p = block;
     bl_terms terms = terms_of(block);
-    bl_terms_describe(&terms, has_closed_form(block), facts);
+    bl_terms_describe(&terms, p->kernel == KERNEL_EXACT, &p->lattice, facts);
     facts->isotropic = has_closed_form(block); // a kernel of the distance, numbers that are white
     bl_bound bound = bl_bound_lattice_convolution(p->kernel == KERNEL_EXACT ? 0 : p->table_rate);
     bl_lattice_describe(bound, p->kernel == KERNEL_EXACT ? 1 : -1, &p->lattice, facts);

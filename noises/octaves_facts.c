@@ -110,6 +110,29 @@ static void size_range(const bl_facts *basis, double *least, double *most) {
     *most = fmax(fabs(basis->lower), fabs(basis->upper));
 }
 
+// Whether the derivative of a sum of folds can jump where that of the basis does not: where the
+// basis crosses 0, if it can, and where the weight min(1, gain s) of a ridge reaches 1, if some
+// squares in its range are below 1/gain and others above. Squares in between are always weights
+// below 1, or always 1. A range that is not stated (NaN) can do everything.
+static int has_kinks(const bl_octaves *octaves) {
+    const bl_octaves_rules *rules = &octaves->rules;
+    const bl_facts *basis = &octaves->seeded[0]->facts;
+    if (rules->fold == BL_FOLD_NONE)
+        return 0;
+    if (!(basis->lower >= 0 || basis->upper <= 0))
+        return 1;
+    if (rules->fold == BL_FOLD_SIZE || octaves->plan.count < 2)
+        return 0;
+    double least, most;
+    size_range(basis, &least, &most);
+    double low = rules->ridge_offset - least, high = rules->ridge_offset - most; // high <= low
+    double smallest = low > 0 && high < 0 ? 0 : fmin(low * low, high * high);
+    double largest = fmax(low * low, high * high);
+    // All squares that a weight multiplies are at most `largest`; if the first weights are 1, the
+    // later ones are too.
+    return !(rules->ridge_gain * largest <= 1 || rules->ridge_gain * smallest >= 1);
+}
+
 static void describe_range(const bl_octaves *octaves, bl_facts *facts) {
     const bl_facts *basis = &octaves->seeded[0]->facts;
     double low = basis->lower, high = basis->upper;
@@ -184,9 +207,7 @@ void bl_octaves_describe(const void *parameters, bl_facts *facts) {
     describe_range(octaves, facts);
     if (octaves->rules.fold == BL_FOLD_NONE)
         describe_moments(octaves, facts);
-    // Sizes have kinks where the noise crosses 0.
-    int kinks = octaves->rules.fold != BL_FOLD_NONE && basis->continuity > 0 && basis->lower < 0;
-    facts->continuity = kinks ? 0 : basis->continuity;
+    facts->continuity = basis->continuity > 0 && has_kinks(octaves) ? 0 : basis->continuity;
     for (unsigned a = 0; a < BL_AXES; a++)
         facts->period[a] = period_of(octaves, a);
     facts->cell = basis->cell / frequency[0];

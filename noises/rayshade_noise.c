@@ -95,7 +95,7 @@ static void describe(const void *block, bl_facts *facts) {
     const rayshade_parameters *p = block;
     bl_terms terms = terms_of(block);
     bl_kernel kernel = bl_value_kernels[interps[p->weights]];
-    bl_terms_describe(&terms, has_closed_form(block), facts);
+    bl_terms_describe(&terms, 1, &p->lattice, facts);
     bl_lattice_describe(bl_bound_value(kernel), bl_kernel_continuity(kernel), &p->lattice, facts);
     facts->mean = 0.5;
     facts->lower = 0;

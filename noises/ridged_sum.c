@@ -21,8 +21,10 @@
 //
 // Units and domain are those of fractalsum. Bound: between 0 and the sum of 1/f_i times the larger
 // of offset^2 and (offset - bound of the basis)^2, because the square is convex and weights are 1
-// at most. Mean, variance, band: not stated. Class C0: the crest of a ridge is a kink, and so is
-// the place where a weight reaches 1. Period: that of the basis, as for fbm.
+// at most. Mean, variance, band: not stated. Class C0: the crest of a ridge, where the basis
+// crosses 0, is a kink, and so is the place where a weight reaches 1, also with a basis that is
+// never negative (rayshade); that of the basis where its range excludes both. Period: that of the
+// basis, as for fbm.
 //
 // Source: the ridged multifractal of musgrave2003, from its formula as commonly quoted; the book
 // was not at hand, and peachey2003 has none. Deviation: the exponent of its amplitudes, f^-H, is

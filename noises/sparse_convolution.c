@@ -32,7 +32,8 @@
 // perm256 every index has N entries of its own, where the text lets impulse k+1 of entry h be
 // impulse k of entry h+1, so that cells share impulses.
 //
-// Float results are within 1e-6 of the double reference at any coordinate below 2^31 (N = 3).
+// Float results are within 1e-6 of the double reference at any coordinate below 2^62; beyond, for
+// NaN and for infinity the noise is NaN, and from 2^52 on the fraction within a cell is lost.
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -326,9 +327,11 @@ static void describe(const void *block, bl_facts *facts) {
     bl_profile profile = profile_of(p);
     bl_terms terms = terms_of(p);
     if (profile == BL_PROFILE_CATMULL_ROM || !has_closed_form(p))
-        bl_terms_describe(&terms, has_closed_form(block), facts);
+        bl_terms_describe(&terms, p->kernel != KERNEL_TABLE, &p->lattice, facts);
     else
         bl_impulses_describe(covariance, p, 3, BL_RADIAL_REACH, 1, facts);
+    if (p->kernel != KERNEL_TABLE && bl_lattice_differs_within(&p->lattice, 3, BL_RADIAL_REACH))
+        facts->variance = covariance(p, (const double[BL_AXES]){0});
     facts->stationary = facts->isotropic = bl_lattice_is_hash(&p->lattice);
     bl_bound bound = bl_bound_sparse_convolution(p->kernel == KERNEL_TABLE ? p->table_rate : 0);
     if (profile != BL_PROFILE_CATMULL_ROM)

@@ -302,6 +302,8 @@ static void describe(const void *block, bl_facts *facts) {
     if (has_closed_form(block))
         bl_impulses_describe(covariance, p, p->dimensions, 2 * p->radius, p->stretch / p->radius,
                              facts);
+    else if (bl_lattice_differs_within(&p->lattice, p->dimensions, 2 * p->radius))
+        facts->variance = covariance(p, (const double[BL_AXES]){0});
     facts->stationary = has_closed_form(block);
     facts->isotropic = facts->stationary && p->shape != SHAPE_SQUARE && p->stretch == 1;
     double cells = p->dimensions == 3 ? 27 : 9;

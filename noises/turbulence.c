@@ -15,7 +15,8 @@
 // lost=mean measures E|basis| on opening (noises/octaves.h). Variance, band: not stated; the
 // folds have a spectrum of their own, which falls as f^-4 at a random crossing of 0 and is not
 // bounded by the octave's.
-// Class C0: the slope jumps wherever an octave crosses 0. Period: as for fractalsum, and a fold may
+// Class C0: the slope jumps wherever an octave crosses 0; that of a basis that is never negative
+// (rayshade), whose sizes are its values. Period: as for fractalsum, and a fold may
 // only shorten it for a basis whose half period is its negative.
 //
 // Source: peachey2003, section Spectral Synthesis (at figure 2.38), both versions. Deviations: the

@@ -131,7 +131,7 @@ static void describe(const void *block, bl_facts *facts) {
     bl_terms terms = terms_of(block);
     bl_kernel kernel = bl_value_kernels[p->interp], weight = bl_gradient_weights[p->fade];
     int value_class = bl_kernel_continuity(kernel), gradient_class = bl_kernel_continuity(weight);
-    bl_terms_describe(&terms, has_closed_form(block), facts);
+    bl_terms_describe(&terms, 1, &p->lattice, facts);
     double bound =
         fabs(p->value) * bl_bound_value(kernel).value +
         fabs(p->gradient) * bl_bound_gradient(weight, p->gradients == BL_GRADIENTS_EDGES).value;

@@ -18,7 +18,7 @@
 //              bspline2     quadratic B-spline, C1, support 3/2, knots at the half integers
 //              bspline3     cubic B-spline, C2, support 2; the B-splines do not interpolate
 //   lattice  hash, or the text's perm256, which repeats after 256 cells (noises/lattice.h)
-//   component, period   noises/common_parameters.h; with a period no variance is stated, and
+//   component, period   noises/common_parameters.h; with a period no closed form, and
 //            periods of 1 and 2 may be smoother than the class (a period of 1 is a constant)
 //
 // Units: coordinates in cells. Values v_c are uniform in (-1, 1). Bound: the largest sum of |k|
@@ -104,7 +104,7 @@ static void describe(const void *block, bl_facts *facts) {
     bl_terms terms = terms_of(block);
     bl_kernel kernel = bl_value_kernels[p->interp];
     bl_bound bound = bl_bound_value_in(kernel, p->dimensions);
-    bl_terms_describe(&terms, has_closed_form(block), facts);
+    bl_terms_describe(&terms, 1, &p->lattice, facts);
     bl_lattice_describe(bound, bl_kernel_continuity(kernel), &p->lattice, facts);
 }
 

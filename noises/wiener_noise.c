@@ -250,9 +250,10 @@ static void describe(const void *block, bl_facts *facts) {
                       "at 4097 places and half a step of their steepest slope beyond, cubed"};
     bl_lattice_describe(bound, 0, &p->lattice, facts);
     facts->mean = 0;
+    if (bl_lattice_differs_within(&p->lattice, 3, 4))
+        facts->variance = covariance(block, (const double[BL_AXES]){0});
     if (!has_closed_form(block))
         return;
-    facts->variance = covariance(block, (const double[BL_AXES]){0});
     facts->covariance_reach = 4;
     facts->band_from = 0;
     facts->band_to = 1;

@@ -55,9 +55,9 @@ static void test_facts_are_stated_only_where_they_hold(void **state) {
     bl_terms terms = {0};
     bl_terms_add_value(&terms, BL_VALUE_VARIANCE(1 << 20), BL_KERNEL_LINEAR);
     bl_facts facts = bl_facts_unknown();
-    bl_terms_describe(&terms, 0, &facts);
+    bl_terms_describe(&terms, 0, &(bl_lattice_settings){0}, &facts);
     assert_true(facts.mean == 0 && isnan(facts.variance) && isnan(facts.leak_db));
-    bl_terms_describe(&terms, 1, &facts);
+    bl_terms_describe(&terms, 1, &(bl_lattice_settings){0}, &facts);
     assert_near(facts.variance, pow(2.0 / 3, 3) / 3, 1e-12); // rho(0) = 2/3
     double share = 10 * log10(bl_terms_share_above(&terms, 1));
     assert_true(facts.leak_db >= share && facts.leak_db < share + 0.0101);

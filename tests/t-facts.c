@@ -12,6 +12,7 @@
 
 #include "core/random.h"
 #include "core/statistics.h"
+#include "tests/jumps.h"
 #include "tests/texts.h"
 
 #define ERROR_RATE 1e-6
@@ -21,10 +22,16 @@
 // All settings of the registry, and some that depend on two keys.
 static bl_texts *all_texts(void) {
     static bl_texts list;
-    static const char *const more[] = {"gnoise:fade=quintic,gradients=edges,lattice=perm256",
-                                       "vgnoise:interp=bspline3,fade=quintic",
-                                       "vgnoise:interp=bspline3,fade=linear,gradients=rejection",
-                                       "scnoise:impulses=1,kernel=table:100,lattice=perm256"};
+    static const char *const more[] = {
+        "gnoise:fade=quintic,gradients=edges,lattice=perm256",
+        "vgnoise:interp=bspline3,fade=quintic",
+        "vgnoise:interp=bspline3,fade=linear,gradients=rejection",
+        // Periods as short as the footprint of the kernel.
+        "vnoise:interp=bspline2,period=3", "vcnoise:period=4", "vnoise:dims=1,period=4,1,1",
+        "hermite:period=3,0,4", "scnoise:period=4,impulses=1",
+        "scnoise:period=4,kernel=cosine,count=poisson", "wiener:period=4",
+        "perlin2002:lattice=hash,period=3", "spot:period=3", "gabor:period=3,4",
+        "fbm:basis.period=4,octaves=2", "scnoise:impulses=1,kernel=table:100,lattice=perm256"};
     if (list.count)
         return &list;
     list = *bl_test_texts();
@@ -49,37 +56,9 @@ static int is_constant(const bl_signal *signal) {
 
 // --- continuity ---------------------------------------------------------------------------------
 //
-// On a line of samples h apart, the difference of order k+1 divided by h^k is of size h times the
-// derivative of order k+1 where there is one, and of the size of the jump where the derivative of
-// order k jumps. From 8 h to h the largest of a line shrinks to an eighth, or stays. On ten times
-// as many lines as here it shrank to 0.23 at most, or stayed above 0.48; the limit is the root of
-// 1/8.
+// tests/jumps.h finds the jumps.
 
-enum { FINER = 8, ORDERS = 4, LONG = 4096, SHORT = 512, OBLIQUE = BL_AXES };
-
-static double largest_difference(const double *value, size_t count, size_t stride, unsigned order) {
-    static const double binomial[ORDERS][ORDERS + 1] = {
-        {-1, 1}, {1, -2, 1}, {-1, 3, -3, 1}, {1, -4, 6, -4, 1}};
-    double largest = 0;
-    for (size_t i = 0; i + (order + 1) * stride < count; i++) {
-        double difference = 0;
-        for (unsigned k = 0; k <= order + 1; k++)
-            difference += binomial[order][k] * value[i + k * stride];
-        largest = fmax(largest, fabs(difference));
-    }
-    return largest / pow((double)stride, order);
-}
-
-// Whether the derivative of this order jumps somewhere on the line. Differences of the size of the
-// rounding of the values, as those of a noise whose waves are long, say nothing.
-static int jumps(const double *value, size_t count, unsigned order) {
-    double size = 0, fine = largest_difference(value, count, 1, order);
-    for (size_t i = 0; i < count; i++)
-        size = fmax(size, fabs(value[i]));
-    // The sum of the binomials is 16 at most; 256 is for the rounding of phases and places.
-    return fine > 256 * 16 * 0x1p-52 * size &&
-           !(largest_difference(value, count, FINER, order) > sqrt(FINER) * fine);
-}
+enum { ORDERS = BL_JUMP_ORDERS, LONG = 4096, SHORT = 512, OBLIQUE = BL_AXES };
 
 // A line along an axis at a random place across, or an oblique one, with steps of h or
 // about it. It begins at a multiple of h, so that the steps are equal.
@@ -109,7 +88,7 @@ static int jumps_somewhere(const bl_signal *signal, unsigned axis, bl_random *ra
     static double line[UNIT + 1];
     for (int attempt = 0; attempt < LINES; attempt++) {
         sample_line(signal, random, axis, fmax(1, signal->facts.cell) / UNIT, UNIT + 1, line);
-        if (jumps(line, UNIT + 1, 0))
+        if (bl_jumps(line, UNIT + 1, 0))
             return 1;
     }
     return 0;
@@ -122,7 +101,7 @@ static void check_continuity(const bl_signal *signal, unsigned axis, bl_random *
     int stated = signal->facts.continuity;
     double cell = finest_cell(&signal->facts);
     sample_line(signal, random, axis, 0x1p-17 * cell, SHORT + 1, fine);
-    int jumped = jumps(fine, SHORT + 1, 0);
+    int jumped = bl_jumps(fine, SHORT + 1, 0);
     if (stated < 0 && !jumped)
         jumped = jumps_somewhere(signal, axis, random);
     if (jumped != (stated < 0))
@@ -137,10 +116,10 @@ static void check_continuity(const bl_signal *signal, unsigned axis, bl_random *
         double step = attempt < 4 ? 0x1p-11 * cell : attempt < 14 ? 0x1p-14 * cell : 0x1p-11;
         sample_line(signal, random, axis, step, LONG + 1, line);
         for (int order = 0; order <= stated && order < ORDERS; order++)
-            if (jumps(line, LONG + 1, (unsigned)order))
+            if (bl_jumps(line, LONG + 1, (unsigned)order))
                 fail_msg("%s: states class %d, and derivative %d jumps on line %u", signal->text,
                          stated, order, axis);
-        found = found || jumps(line, LONG + 1, (unsigned)stated + 1);
+        found = found || bl_jumps(line, LONG + 1, (unsigned)stated + 1);
     }
     if (!found)
         fail_msg("%s: states class %d, and derivative %d does not jump along %c", signal->text,
@@ -429,6 +408,37 @@ static void test_mean_and_variance_are_the_ones_stated(void **state) {
     }
 }
 
+static void test_a_period_shorter_than_the_kernel_has_no_variance(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        int stated;
+    } cases[] = {{"vnoise:period=4", 1},
+                 {"vnoise:period=0,3", 0},
+                 {"vnoise:dims=1,period=4,1,1", 1},
+                 {"vnoise:interp=bspline2,period=2", 0},
+                 {"gnoise:period=2", 1},
+                 {"gnoise:period=4,1", 0},
+                 {"gnoise:period=9,lattice=perm256", 0},
+                 {"vgnoise:period=3", 0},
+                 {"hermite:period=1", 0},
+                 {"vcnoise:period=3", 0},
+                 {"vcnoise:period=9,kernel=table:100", 0},
+                 {"scnoise:period=3", 0},
+                 {"scnoise:period=9,kernel=table:100", 0},
+                 {"wiener:period=3", 0},
+                 {"spot:period=1", 0},
+                 {"spot:period=1,radius=0.5", 1},
+                 {"gabor:period=1", 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_signal *signal = open_signal(cases[i].text);
+        if (isnan(signal->facts.variance) == cases[i].stated || signal->closed_form)
+            fail_msg("%s: variance %g, closed form %d", cases[i].text, signal->facts.variance,
+                     signal->closed_form);
+        bl_signal_free(signal);
+    }
+}
+
 // --- stationarity -------------------------------------------------------------------------------
 
 // The sum over the 8 corners of the half cell (vertex, edges, faces, centre) of the squared
@@ -561,6 +571,7 @@ int main(void) {
         cmocka_unit_test(test_the_period_is_the_one_stated),
         cmocka_unit_test(test_the_fraction_ends_where_it_is_stated_to),
         cmocka_unit_test(test_mean_and_variance_are_the_ones_stated),
+        cmocka_unit_test(test_a_period_shorter_than_the_kernel_has_no_variance),
         cmocka_unit_test(test_impulse_noises_have_the_same_variance_all_over_the_cell),
         cmocka_unit_test(test_lattice_noises_show_their_cell_in_the_variance),
         cmocka_unit_test(test_the_covariance_ends_at_its_reach),

@@ -9,11 +9,12 @@
 #include "core/random.h"
 #include "core/statistics.h"
 #include "noises/octaves.h"
+#include "tests/jumps.h"
 #include "tests/texts.h"
 
 #define LIMIT 4.9 // standard errors, two-sided 1e-6
 
-enum { SAMPLES = 300, LONG = 5000 };
+enum { SAMPLES = 300, LONG = 5000, LINE = 4097 };
 
 static bl_signal *open_signal(const char *text) {
     return bl_test_open(text, BL_ISA_BEST);
@@ -576,6 +577,60 @@ static void test_a_period_is_left_where_nothing_is_turned(void **state) {
         bl_signal *signal = open_signal(cases[i].text);
         assert_near(signal->facts.period[1], cases[i].period, 0);
         bl_signal_free(signal);
+// --- continuity ---------------------------------------------------------------------------------
+
+// A line of two of the finest cells along x; later ones are finer. Gardner's waves are long.
+static void sample_line(const bl_signal *signal, int attempt, double unit, bl_random *random,
+                        size_t count, double *value) {
+    double at[BL_AXES], step = unit * (attempt % 3 == 2 ? 0x1p-15 : 0x1p-12), start;
+    random_place(random, 20, at);
+    start = step * floor(at[0] / step);
+    for (size_t i = 0; i < count; i++) {
+        at[0] = start + (double)i * step;
+        value[i] = bl_signal_value(signal, at);
+    }
+}
+
+static void check_class(const char *text, double unit, bl_random *random) {
+    static double line[LINE];
+    bl_signal *signal = open_signal(text);
+    int stated = signal->facts.continuity, found = stated < 0 || stated + 1 >= BL_JUMP_ORDERS;
+    for (int attempt = 0; attempt < 24 && stated >= 0 && (attempt == 0 || !found); attempt++) {
+        sample_line(signal, attempt, unit, random, LINE, line);
+        for (int order = 0; order <= stated && order < BL_JUMP_ORDERS; order++)
+            if (bl_jumps(line, LINE, (unsigned)order))
+                fail_msg("%s: states class %d, and derivative %d jumps", text, stated, order);
+        found = found || bl_jumps(line, LINE, (unsigned)stated + 1);
+    }
+    if (!found)
+        fail_msg("%s: states class %d, and derivative %d does not jump", text, stated, stated + 1);
+    bl_signal_free(signal);
+}
+
+// With two octaves, whose finer one has the frequency 2; ridges of a gain so small that no weight
+// reaches 1, or so large that all do, have the kinks of the basis alone.
+static void test_sums_of_any_basis_have_the_class_stated(void **state) {
+    (void)state;
+    static const char *const sums[] = {"fractalsum:max=4,basis=%s", "turbulence:max=4,basis=%s",
+                                       "fbm:octaves=2,basis=%s", "ridged:octaves=2,basis=%s"};
+    static const char *const more[] = {
+        "ridged:octaves=2,basis=rayshade,gain=0.9", "ridged:octaves=2,basis=rayshade,gain=0",
+        "ridged:octaves=2,basis=rayshade,gain=4,offset=1.6",
+        "ridged:octaves=2,basis=rayshade,gain=4,offset=1.2", "ridged:octaves=1,basis=rayshade"};
+    static const int classes[] = {1, 1, 1, 0, 1};
+    bl_random random = bl_random_seed(7, 0);
+    for (size_t n = 0; n < bl_noise_count(); n++)
+        for (int s = 0; s < 4; s++) {
+            const char *name = bl_noise_at(n, BL_ISA_BEST)->name;
+            char text[160];
+            snprintf(text, sizeof text, sums[s], name);
+            check_class(text, strcmp(name, "gardner") == 0 ? 32 : 1, &random);
+        }
+    for (size_t m = 0; m < sizeof more / sizeof *more; m++) {
+        bl_signal *signal = open_signal(more[m]);
+        assert_int_equal(signal->facts.continuity, classes[m]);
+        bl_signal_free(signal);
+        check_class(more[m], 1, &random);
     }
 }
 
@@ -754,6 +809,7 @@ int main(void) {
         cmocka_unit_test(test_sizes_have_kinks_where_the_basis_crosses_zero),
         cmocka_unit_test(test_the_finest_octave_loses_its_fraction_first),
         cmocka_unit_test(test_a_period_is_left_where_nothing_is_turned),
+        cmocka_unit_test(test_sums_of_any_basis_have_the_class_stated),
         cmocka_unit_test(test_rotations_are_orthonormal_and_uniform),
         cmocka_unit_test(test_offsets_are_uniform),
         cmocka_unit_test(test_the_domain_of_slow_octaves_ends_where_it_is_stated_to),

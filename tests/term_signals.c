@@ -39,7 +39,7 @@ bl_signal *make_signal(int which) {
     assert_non_null(signal);
     signal->closed_form = 1;
     signal->dimensions = 3;
-    bl_terms_describe(&terms, 1, &signal->facts);
+    bl_terms_describe(&terms, 1, &(bl_lattice_settings){0}, &signal->facts);
     return signal;
 }
 
