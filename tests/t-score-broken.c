@@ -151,6 +151,23 @@ static void test_each_property_looks_at_its_own_claim(void **state) {
     }
 }
 
+// Second moments of the cubic B-spline hardly differ between directions; its tail does, by
+// sinc^8 of the frequencies, of which one is small near an axis.
+static void test_a_cross_in_the_tail_is_found(void **state) {
+    (void)state;
+    bl_signal *cross = bl_test_open("vnoise:interp=bspline3", BL_ISA_BEST),
+              *round = bl_test_open("scnoise", BL_ISA_BEST);
+    bl_score_property found = quick(cross, "isotropy");
+    assert_int_equal(found.verdict, BL_SCORE_FAIL);
+    assert_non_null(strstr(found.reason, "above 1 cycle a cell"));
+    assert_true(bl_score_find(&found, "tail_axes_to_diagonals_db")->estimate.lower > 10);
+    found = quick(round, "isotropy");
+    const bl_estimate tail = bl_score_find(&found, "tail_axes_to_diagonals_db")->estimate;
+    assert_true(tail.lower < 0.5 && tail.upper > -0.5);
+    bl_signal_free(cross);
+    bl_signal_free(round);
+}
+
 static void test_the_class_of_continuity_is_found(void **state) {
     (void)state;
     static const struct {
@@ -329,6 +346,7 @@ int main(void) {
         cmocka_unit_test(test_a_broken_noise_is_found_by_no_other_property),
         cmocka_unit_test(test_no_noise_of_the_registry_fails_a_claim),
         cmocka_unit_test(test_each_property_looks_at_its_own_claim),
+        cmocka_unit_test(test_a_cross_in_the_tail_is_found),
         cmocka_unit_test(test_the_class_of_continuity_is_found),
         cmocka_unit_test(test_a_jump_is_found_with_its_place_and_size),
         cmocka_unit_test(test_good_noises_fail_as_rarely_as_alpha_says),
