@@ -32,7 +32,7 @@
 // perm256 every index has N entries of its own, where the text lets impulse k+1 of entry h be
 // impulse k of entry h+1, so that cells share impulses.
 //
-// Float results are within 1e-6 of the double reference at any coordinate below 2^62; beyond, for
+// Float results are within 1e-6 of the double reference at any coordinate below 2^62 (N = 3); beyond, for
 // NaN and for infinity the noise is NaN, and from 2^52 on the fraction within a cell is lost.
 #include <math.h>
 #include <stddef.h>
