@@ -577,6 +577,9 @@ static void test_a_period_is_left_where_nothing_is_turned(void **state) {
         bl_signal *signal = open_signal(cases[i].text);
         assert_near(signal->facts.period[1], cases[i].period, 0);
         bl_signal_free(signal);
+    }
+}
+
 // --- continuity ---------------------------------------------------------------------------------
 
 // A line of two of the finest cells along x; later ones are finer. Gardner's waves are long.
