@@ -20,7 +20,7 @@
 // Second moments do not see the tail of the spectrum, where lattice noises have their cross.
 // Therefore each batch also takes two slices, and compares their power above 1 cycle a cell near
 // the axes with that near the diagonals (sectors.h); the difference is one more test, and the table
-// shows the ratio. A tail that holds less than -40 dB of the variance is shown and not judged: it
+// shows the ratio. A tail that holds less than -50 dB of the variance is shown and not judged: it
 // is below what the bands of noises are asked for, and mostly the leak of their ends.
 #include "score/places.h"
 
@@ -34,7 +34,7 @@
 #include "score/sectors.h"
 
 #define ROUNDING 1e-10  // of the density of white noise of the same deviation
-#define TAIL_LEAST 1e-4 // the share of the variance from which on the tail is judged
+#define TAIL_LEAST 1e-5 // the share of the variance from which on the tail is judged
 
 enum { DIRECTIONS = 16, LAGS = 4, LENGTH = 64, CONTRASTS = 4 + 6 + 1 + DIRECTIONS };
 

@@ -261,7 +261,7 @@ static void test_a_bad_table_is_refused_by_its_line(void **state) {
                {"-1,1\n", "line 1: expected a frequency from 0"},
                {"inf,1\n", "line 1: expected a frequency from 0"},
                {"1,2\n", "line 1: the table ends"},
-               {"", "line 0: the table ends"},
+               {"", "the file is empty"},
                {"1,0\n2,0\n", "no harmonic"}};
     const char *path = bl_temporary_path("bad.csv");
     char text[600];

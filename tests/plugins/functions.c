@@ -176,7 +176,7 @@ BAD_CLAIM(bad_dims, claims->dims = 5)
 BAD_CLAIM(bad_period, claims->period[1] = -1)
 BAD_CLAIM(bad_cell, claims->cell = -1)
 BAD_CLAIM(endless_cell, claims->cell = INFINITY)
-BAD_CLAIM(bad_class, claims->continuity = -2)
+BAD_CLAIM(bad_class, claims->continuity = -3)
 BAD_CLAIM(bad_flags, claims->flags = 1u << 30)
 BAD_CLAIM(bad_size, claims->size = 8)
 // A struct of a later version, longer than this one.
