@@ -321,6 +321,9 @@ static void test_tiles_and_waves_state_these_bounds(void **state) {
         square += 0.09 * pow(0.707, 2 * i);
     expect_range("gardner", -0.75 * square, 2.25 * square, 1e-14);
     expect_range("gardner:terms=1", -0.75 * 0.09, 2.25 * 0.09, 1e-14);
+    bl_signal *gardner = bl_test_open("gardner", BL_ISA_BEST);
+    assert_near(gardner->facts.mean, 0.25 * square, 1e-15); // of both cosines 1/2
+    bl_signal_free(gardner);
 }
 
 int main(void) {
