@@ -117,7 +117,7 @@ $(BUILD)/tests/plugins/%: tests/plugins/%.c
 	@mkdir -p $(@D)
 	$(call say,link)
 	$(Q)$(CC) -std=gnu17 -D_GNU_SOURCE $(C_WARNINGS) -O1 -g $< -o $@
-$(BUILD)/tests/t-plugin $(BUILD)/tests/t-program $(BUILD)/tests/t-compare: | $(USER_SOURCES)
+$(addprefix $(BUILD)/tests/,t-plugin t-program t-compare t-cli-score): | $(USER_SOURCES)
 
 # A log is always made anew; the last line counts what all of them say.
 LOGS := $(TESTS:%=$(BUILD)/tests/%.log)

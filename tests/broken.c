@@ -40,6 +40,7 @@ static const entry entries[BL_BROKEN_COUNT] = {
     [BL_BROKEN_PERIOD_MISSING] = {"period-missing", "period", "gnoise"},
     [BL_BROKEN_PERIOD_POINTS] = {"period-points", "period", "gnoise:period=16,0,0"},
     [BL_BROKEN_PERIOD_BEHIND] = {"period-behind", "period", "gnoise:period=16,0,0", "continuity"},
+    [BL_BROKEN_PERIOD_HALF] = {"period-half", "period", "gnoise:period=12,0,0"},
     [BL_BROKEN_FAR_GAIN] = {"far-gain", "far", "gnoise"},
     [BL_BROKEN_FAR_NAN] = {"far-nan", "far", "gnoise"},
     [BL_BROKEN_NO_NAN] = {"no-nan", "far", "gnoise"},
@@ -213,6 +214,8 @@ bl_signal *bl_broken_signal(bl_broken which) {
         signal->facts.period[0] = 0;
     if (which == BL_BROKEN_PERIOD_MISSING)
         signal->facts.period[1] = 7;
+    if (which == BL_BROKEN_PERIOD_HALF)
+        signal->facts.period[0] = 24;
     return signal;
 }
 

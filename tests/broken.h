@@ -26,6 +26,7 @@ typedef enum bl_broken {
     BL_BROKEN_PERIOD_MISSING, // gnoise that states a period of 7 along y               period
     BL_BROKEN_PERIOD_POINTS,  // ... of 16 along x, whose floats go on otherwise        period
     BL_BROKEN_PERIOD_BEHIND,  // ... and which does not hold below x = -20              period
+    BL_BROKEN_PERIOD_HALF,    // gnoise of the period 12 along x that states 24         period
     BL_BROKEN_FAR_GAIN,       // gnoise, twice as large beyond 5e5                      far
     BL_BROKEN_FAR_NAN,        // gnoise, no number beyond 1e9                           far
     BL_BROKEN_NO_NAN,         // gnoise, 0 where a coordinate is no number              far

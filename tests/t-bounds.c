@@ -228,7 +228,6 @@ static void test_lattice_noises_state_these_bounds(void **state) {
                  {"perlin2002:lattice=hash", edges},
                  {"hermite", bl_bound_hermite().value},
                  {"vcnoise", bl_bound_lattice_convolution(0).value},
-                 {"vcnoise:kernel=table:100", bl_bound_lattice_convolution(100).value},
                  {"simplex", 1},
                  {"simplex:dims=4,radius2=0.6", 1},
                  {"white", 1},
@@ -240,6 +239,35 @@ static void test_lattice_noises_state_these_bounds(void **state) {
     bl_wiener_kernel kernel = bl_wiener_kernel_of(BL_WIENER_SINC, 0.7);
     double wiener = pow(bl_wiener_largest_sum(&kernel), 3);
     expect_range("wiener:covariance=sinc,width=0.7", -wiener, wiener, 0);
+}
+
+// In 4 dimensions: sqrt 4/2 for unit vectors, times the length sqrt 3 of the edges.
+static void test_gradients_in_four_dimensions_state_these_bounds(void **state) {
+    (void)state;
+    expect_range("gnoise:dims=4", -1, 1, 2e-5);
+    expect_range("gnoise:dims=4,gradients=edges", -sqrt(3), sqrt(3), 2e-5);
+    expect_range("gnoise:dims=2", -sqrt(0.5), sqrt(0.5), 2e-5);
+}
+
+// What a table adds, from the lattice points within 1 and within 2 of a place: the most of a grid
+// of places. The bound counts all of the 64 around a cell, so it may have a third more.
+static void test_tables_widen_the_bound_by_their_rounding(void **state) {
+    (void)state;
+    double most = 0;
+    for (int place = 0; place < 9 * 9 * 9; place++) {
+        double sum = 0;
+        for (int n = 0; n < 6 * 6 * 6; n++) {
+            double x = n % 6 - 2 - place % 9 / 16.0, y = n / 6 % 6 - 2 - place / 9 % 9 / 16.0,
+                   z = n / 36 - 2 - place / 81 / 16.0, square = x * x + y * y + z * z;
+            sum += square < 1 ? 1.25 : square < 4 ? 0.125 : 0;
+        }
+        most = fmax(most, sum);
+    }
+    const double exact = bl_bound_lattice_convolution(0).value;
+    bl_signal *signal = bl_test_open("vcnoise:kernel=table:100", BL_ISA_BEST);
+    double added = 100 * (signal->facts.upper - exact);
+    assert_true(added >= most && added <= 1.4 * most);
+    bl_signal_free(signal);
 }
 
 // Values and weights that sum to 1 come as near to their ends as the most extreme of many lattice
@@ -321,6 +349,9 @@ static void test_tiles_and_waves_state_these_bounds(void **state) {
         square += 0.09 * pow(0.707, 2 * i);
     expect_range("gardner", -0.75 * square, 2.25 * square, 1e-14);
     expect_range("gardner:terms=1", -0.75 * 0.09, 2.25 * 0.09, 1e-14);
+    bl_signal *gardner = bl_test_open("gardner", BL_ISA_BEST);
+    assert_near(gardner->facts.mean, 0.25 * square, 1e-15); // of both cosines 1/2
+    bl_signal_free(gardner);
 }
 
 int main(void) {
@@ -331,6 +362,8 @@ int main(void) {
         cmocka_unit_test(test_convolution_bounds),
         cmocka_unit_test(test_table_allowance),
         cmocka_unit_test(test_lattice_noises_state_these_bounds),
+        cmocka_unit_test(test_gradients_in_four_dimensions_state_these_bounds),
+        cmocka_unit_test(test_tables_widen_the_bound_by_their_rounding),
         cmocka_unit_test(test_ranges_of_lattice_values_are_reached),
         cmocka_unit_test(test_impulse_noises_state_these_bounds),
         cmocka_unit_test(test_tiles_and_waves_state_these_bounds),

@@ -221,6 +221,52 @@ static void test_claims_are_checked_a_line_a_claim(void **state) {
     unlink(data);
 }
 
+// cmd.so:function of the functions that t-plugin uses.
+static const char *plugin(const char *function, char text[512]) {
+    const char *build = getenv("BL_BUILD");
+    snprintf(text, 512, "%s/tests/plugins/functions.so:%s", build ? build : "build", function);
+    return text;
+}
+
+// 2 for a claim that fails and 1 for one that cannot be told, wherever the signal stands.
+static void test_claims_decide_the_exit_status(void **state) {
+    (void)state;
+    char liar[512], seldom[512];
+    plugin("liar", liar);
+    plugin("seldom", seldom);
+    EXPECT(2, "verdict        fail", "check", liar, "--claims", "--quick");
+    EXPECT(1, "verdict        inconclusive", "check", seldom, "--claims", "--quick");
+    json_t *object = RUN_JSON("check", liar, "--claims", "--quick");
+    assert_string_equal(text_of(object, "verdict"), "fail");
+    json_decref(object);
+    const char *const orders[][3] = {
+        {liar, "gnoise", seldom}, {"gnoise", liar, seldom}, {seldom, "gnoise", liar}};
+    for (int i = 0; i < 3; i++)
+        EXPECT(2, "fail", "score", orders[i][0], orders[i][1], orders[i][2], "--quick", "--only",
+               "range");
+    EXPECT(1, "inconclusive", "score", seldom, "gnoise", "--quick", "--only", "range");
+}
+
+static double limit_of(const json_t *object) {
+    const json_t *row = json_array_get(json_object_get(object, "rows"), 0);
+    const json_t *property = json_object_get(json_object_get(row, "properties"), "isotropy");
+    const json_t *number = json_object_get(json_object_get(property, "numbers"), "limit_deviate");
+    return json_number_value(json_object_get(number, "value"));
+}
+
+// The signals of a table share its probability of a false alarm: the limit of two is that of one
+// at half of it.
+static void test_a_table_shares_its_alpha(void **state) {
+    (void)state;
+    json_t *one = RUN_JSON("score", "scnoise", "--quick", "--only", "isotropy", "--alpha", "0.001"),
+           *two = RUN_JSON("score", "scnoise", "gnoise", "--quick", "--only", "isotropy", "--alpha",
+                           "0.002"),
+           *all = RUN_JSON("score", "scnoise", "--quick", "--only", "isotropy", "--alpha", "0.002");
+    assert_true(limit_of(one) > 3 && limit_of(one) > limit_of(all));
+    assert_near(limit_of(two), limit_of(one), 1e-9);
+    json_decref(one), json_decref(two), json_decref(all);
+}
+
 static void test_a_signal_that_states_nothing_has_no_claims(void **state) {
     (void)state;
     const char *image = bl_test_path("claims.exr");
@@ -255,6 +301,8 @@ int main(void) {
         cmocka_unit_test(test_a_source_that_fails_is_an_error),
         cmocka_unit_test(test_numbers_go_to_a_file_or_a_page),
         cmocka_unit_test(test_claims_are_checked_a_line_a_claim),
+        cmocka_unit_test(test_claims_decide_the_exit_status),
+        cmocka_unit_test(test_a_table_shares_its_alpha),
         cmocka_unit_test(test_a_signal_that_states_nothing_has_no_claims),
         cmocka_unit_test(test_claims_refuse_what_says_nothing_to_them),
     };

@@ -597,6 +597,78 @@ static void test_midpoint_is_pinned_at_its_first_point(void **state) {
     bl_signal_free(signal);
 }
 
+// --- facts --------------------------------------------------------------------------------------
+
+// One harmonic at a quarter of the rate, read by the cubic B-spline: its image at v + k has the
+// power (v/(v + k))^8 of it. The band ends at the harmonic, and the leak is what the images have.
+static void test_one_harmonic_states_its_images(void **state) {
+    (void)state;
+    bl_signal *signal = open_signal("fourier:dims=1,from=1,to=1");
+    double all = 0, v = 0.25;
+    for (int k = -1000; k <= 1000; k++)
+        all += pow(v / (v + k), 8);
+    double leak = 10 * log10(1 - 1 / all);
+    assert_near(signal->facts.variance, all, 1e-12);
+    assert_near(signal->facts.band_from, 0, 0);
+    assert_near(signal->facts.band_to, 1, 0);
+    assert_true(leak <= signal->facts.leak_db && signal->facts.leak_db < leak + 0.0101);
+    assert_near(signal->facts.period[0], 64, 0); // 256 numbers, 4 a unit
+    assert_near(signal->facts.cell, 0.25, 0);
+    assert_near(signal->facts.far, 0x1p50, 0); // where doubles are multiples of 1/4
+    bl_signal_free(signal);
+    signal = open_signal("fourier:from=1/2,to=3/4,size=32");
+    // Multiples of 1/8 in the plane: the largest length up to 3/4 is that of (6, 0).
+    assert_near(signal->facts.band_to, 0.75, 0);
+    bl_signal_free(signal);
+}
+
+// In one dimension the deviations of the levels are a geometric series; a value is at most their
+// sum times 4 sqrt(3/4), over the deviation of the whole, times what reading can add: 5/4 for the
+// spline of Catmull and Rom, 3 for numbers that were filtered for the B-spline.
+static void test_displacements_state_their_range_and_variance(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        bl_displacement of;
+        double gain;
+        int levels;
+    } cases[] = {
+        {"midpoint:dims=1,size=8",
+         {.hurst = 0.5, .lacunarity = 2, .tile = {.size = {8}, .interp = BL_TILE_CATMULL_ROM}},
+         1.25,
+         3},
+        {"midpoint:dims=1,size=16,hurst=1,interp=linear",
+         {.hurst = 1, .lacunarity = 2, .tile = {.size = {16}, .interp = BL_TILE_LINEAR}},
+         1,
+         4},
+        {"midpoint:dims=1,size=16,hurst=0.25,interp=bspline",
+         {.hurst = 0.25, .lacunarity = 2, .tile = {.size = {16}, .interp = BL_TILE_BSPLINE3}},
+         3,
+         4},
+        {"additions:dims=1,size=16,hurst=0.25,interp=nearest",
+         {.hurst = 0.25,
+          .all = 1,
+          .lacunarity = 2,
+          .tile = {.size = {16}, .interp = BL_TILE_NEAREST}},
+         1,
+         4}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_displacement of = cases[i].of;
+        bl_message message = {""};
+        double variance, total = 0;
+        of.tile.dimensions = 1;
+        assert_int_equal(bl_displacement_variance(&of, &variance, &message), BL_OK);
+        for (int level = 0; level < cases[i].levels; level++)
+            total += pow(0.5, of.hurst * level);
+        double bound = total * 4 * sqrt(0.75) / sqrt(variance) * cases[i].gain;
+        bl_signal *signal = open_signal(cases[i].text);
+        assert_near(signal->facts.upper, bound, 1e-4 * bound); // 3.4642 for 3.46410
+        assert_near(signal->facts.lower, -bound, 1e-4 * bound);
+        assert_near(signal->facts.variance, 1, 0);
+        bl_signal_free(signal);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fixed_amplitudes_have_the_target_spectrum),
@@ -612,6 +684,8 @@ int main(void) {
         cmocka_unit_test(test_additions_variance_by_hats),
         cmocka_unit_test(test_the_slopes_are_near_those_of_fractional_motion),
         cmocka_unit_test(test_midpoint_is_pinned_at_its_first_point),
+        cmocka_unit_test(test_one_harmonic_states_its_images),
+        cmocka_unit_test(test_displacements_state_their_range_and_variance),
     };
     bl_set_filter();
     return cmocka_run_group_tests(tests, keep_no_wisdom, NULL);

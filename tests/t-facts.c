@@ -503,8 +503,9 @@ static void test_lattice_noises_show_their_cell_in_the_variance(void **state) {
 
 // --- closed forms -------------------------------------------------------------------------------
 
-// The covariance is 0 from its reach on along every axis, whatever the other lags are, and not yet
-// at 7/10 of it: the reach of a square spot is that of its circle, sqrt 2 too large.
+// The variance is the covariance at 0, and that is 0 from its reach on along every axis, whatever
+// the other lags are, and not yet at 7/10 of it: the reach of a square spot is that of its circle,
+// sqrt 2 too large.
 static void test_the_covariance_ends_at_its_reach(void **state) {
     (void)state;
     bl_texts *list = all_texts();
@@ -512,6 +513,9 @@ static void test_the_covariance_ends_at_its_reach(void **state) {
     for (size_t i = 0; i < list->count; i++) {
         bl_signal *signal = open_signal(list->text[i]);
         double reach = signal->facts.covariance_reach, inside = 0;
+        if (signal->closed_form)
+            assert_near(signal->functions->covariance(signal->parameters, (double[BL_AXES]){0}),
+                        signal->facts.variance, 1e-9 * signal->facts.variance);
         for (unsigned axis = 0; signal->closed_form && axis < signal->dimensions; axis++, seen++) {
             for (int n = 0; n < 8; n++) {
                 double lag[BL_AXES] = {n * 0.03, n * 0.02, n * 0.05, n * 0.04};

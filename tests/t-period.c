@@ -210,6 +210,25 @@ static void test_there_is_no_seam(void **state) {
     }
 }
 
+// A permutation of 256 repeats after 256: a period that is a multiple of it adds nothing, and
+// another one is the period of the cells, of which 256 are then not one.
+static void test_a_permutation_has_the_smaller_period(void **state) {
+    (void)state;
+    static const struct {
+        const char *period;
+        double stated;
+    } cases[] = {{"0", 256}, {"256", 256}, {"512", 256}, {"128", 128}, {"384", 384}, {"7", 7}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_signal *signal = open_with("gnoise", "perm256", cases[i].period);
+        static probe here, there;
+        assert_near(signal->facts.period[0], cases[i].stated, 0);
+        take_probe(signal, 0, 0, 0, &here);
+        take_probe(signal, 0, 0, cases[i].stated, &there);
+        assert_memory_equal(&here, &there, sizeof here);
+        bl_signal_free(signal);
+    }
+}
+
 // Cells that share a number correlate: the closed forms are of a lattice where none do.
 static void test_a_periodic_noise_claims_no_closed_form(void **state) {
     (void)state;
@@ -231,6 +250,7 @@ int main(void) {
         cmocka_unit_test(test_the_inside_is_that_of_the_noise_without_a_period),
         cmocka_unit_test(test_floats_agree_with_the_double_reference),
         cmocka_unit_test(test_there_is_no_seam),
+        cmocka_unit_test(test_a_permutation_has_the_smaller_period),
         cmocka_unit_test(test_a_periodic_noise_claims_no_closed_form),
     };
     return bl_run_tests(tests);

@@ -242,6 +242,18 @@ static void test_random_numbers_have_their_moments_and_bound(void **state) {
     free(z);
 }
 
+// 2^26 numbers are the most.
+static void test_a_tile_has_a_largest_size(void **state) {
+    (void)state;
+    static const uint32_t usual[BL_TILE_AXES] = {256, 64, 32};
+    const bl_tile_settings most = {.dimensions = 2, .size = {8192, 8192}};
+    const bl_tile_settings more = {.dimensions = 2, .size = {8192, 16384}};
+    bl_message message = {""};
+    assert_int_equal(bl_tile_check(&most, usual, 8, &message), BL_OK);
+    assert_int_equal(bl_tile_check(&more, usual, 8, &message), BL_MISMATCH);
+    assert_non_null(strstr(message.text, "2^26"));
+}
+
 static void test_settings_that_make_no_tile_are_refused(void **state) {
     (void)state;
     static const struct {
@@ -275,6 +287,7 @@ int main(void) {
         cmocka_unit_test(test_the_periodic_filter_is_inverted),
         cmocka_unit_test(test_prefiltered_numbers_pass_through_the_values),
         cmocka_unit_test(test_random_numbers_have_their_moments_and_bound),
+        cmocka_unit_test(test_a_tile_has_a_largest_size),
         cmocka_unit_test(test_settings_that_make_no_tile_are_refused),
     };
     return bl_run_tests(tests);

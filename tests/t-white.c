@@ -120,6 +120,25 @@ static void test_the_distribution_is_uniform(void **state) {
     bl_signal_free(signal);
 }
 
+// Odd multiples of 2^-20 in (-1, 1) have the mean square (1 - 2^-40)/3; the first zero of the
+// spectrum of a cell of side h stands at 1/h.
+static void test_variance_and_band_are_stated(void **state) {
+    (void)state;
+    static const double cells[] = {0, 0.125, 1, 3};
+    for (int n = 0; n < 4; n++) {
+        char text[32];
+        snprintf(text, sizeof text, "white:cell=%g", cells[n]);
+        bl_signal *signal = bl_test_open(text, BL_ISA_BEST);
+        assert_near(signal->facts.variance, (1 - 0x1p-40) / 3, 1e-15);
+        if (n > 0) {
+            assert_near(signal->facts.band_to, 1 / cells[n], 1e-15);
+            const double zero[BL_AXES] = {signal->facts.band_to};
+            assert_near(signal->functions->density(signal->parameters, zero), 0, 1e-30);
+        }
+        bl_signal_free(signal);
+    }
+}
+
 static void test_a_cell_has_one_value_and_its_neighbour_another(void **state) {
     (void)state;
     bl_signal *signal = bl_test_open("white:cell=0.25", BL_ISA_BEST);
@@ -174,6 +193,7 @@ int main(void) {
         cmocka_unit_test(test_every_bit_of_a_coordinate_counts),
         cmocka_unit_test(test_zero_has_one_value),
         cmocka_unit_test(test_the_distribution_is_uniform),
+        cmocka_unit_test(test_variance_and_band_are_stated),
         cmocka_unit_test(test_a_cell_has_one_value_and_its_neighbour_another),
         cmocka_unit_test(test_the_two_sides_of_the_closed_form_agree),
         cmocka_unit_test(test_cells_too_small_are_refused),

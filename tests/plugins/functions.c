@@ -110,6 +110,40 @@ double constant(const double p[4], unsigned dims, uint64_t seed, void *user) {
     return 0.1;
 }
 
+// --- claims that are not true, and one that is hard to tell ---
+
+BANDLIMIT_EXPORT bandlimit_function liar, seldom;
+BANDLIMIT_EXPORT bandlimit_claim liar_claims, seldom_claims;
+
+static double wave(const double p[4], uint64_t seed) {
+    uint64_t bits = seed * UINT64_C(0x9E3779B97F4A7C15);
+    return sin(6.283185307179586 * (p[0] - floor(p[0]) + (double)(bits >> 40) * 0x1p-24));
+}
+
+double liar(const double p[4], unsigned dims, uint64_t seed, void *user) {
+    (void)dims, (void)user;
+    return wave(p, seed);
+}
+
+void liar_claims(struct bandlimit_claims *claims) {
+    claims->dims = 1;
+    claims->mean = 0.5; // it is 0
+    claims->continuity = 2;
+}
+
+// Of one seed in eight; their variance is 8 times 1/2.
+double seldom(const double p[4], unsigned dims, uint64_t seed, void *user) {
+    (void)dims, (void)user;
+    return (seed * UINT64_C(0xBF58476D1CE4E5B9)) >> 61 ? 0 : sqrt(8) * wave(p, seed);
+}
+
+void seldom_claims(struct bandlimit_claims *claims) {
+    claims->dims = 1;
+    claims->mean = 0;
+    claims->variance = 0.5;
+    claims->continuity = 2;
+}
+
 // --- bad ones ---
 
 BANDLIMIT_EXPORT extern int data;
