@@ -31,7 +31,7 @@ static json_t *one_or_all(const double *numbers, size_t count) {
     return count == 1 ? bl_json_number(numbers[0]) : bl_json_numbers(numbers, count);
 }
 
-// What a source that has failed gives is not printed.
+// What a source that has failed gives, or what it complains of, is not printed.
 static bl_status answer(point_reader *reader, const double at[BL_AXES], size_t given) {
     static const double step[BL_AXES] = {1};
     double values[BL_COMPONENTS_MOST], reference[BL_COMPONENTS_MOST];
@@ -42,10 +42,12 @@ static bl_status answer(point_reader *reader, const double at[BL_AXES], size_t g
         values[k] = (double)value;
         if (reader->points)
             reference[k] = bl_signal_value(reader->vector.of[k], at);
-        if (bl_signal_complaint(reader->vector.of[k], &reader->call->message) == BL_DEVICE)
-            return BL_DEVICE;
+        bl_status complaint = bl_signal_complaint(reader->vector.of[k], &reader->call->message);
+        if (complaint == BL_MISMATCH) // its words are added at the end of the verb
+            return bl_report(&reader->call->message, complaint, "a value is no number");
+        if (complaint != BL_OK)
+            return complaint;
     }
-    reader->call->message.text[0] = '\0'; // a value that is no number is printed as such
     if (!reader->points) {
         for (size_t k = 0; k < count; k++) // -0 is 0
             fprintf(reader->call->out, "%.9g%c", values[k] + 0.0, k + 1 < count ? ' ' : '\n');

@@ -485,6 +485,8 @@ static void test_no_verb_takes_a_dead_child_for_good(void **state) {
     expect_run(bl_run_program("render", die, "-o", picture), BL_DEVICE, "exit status 7");
     assert_int_equal(access(picture, F_OK), -1);
     expect_run(bl_run_program("histogram", nan, "--quick"), BL_MISMATCH, "log of -1");
+    snprintf(nan, sizeof nan, "%s", text_of("", "0nan"));
+    expect_run(bl_run_program("eval", nan, "1"), BL_MISMATCH, "log of -1");
     expect_run(bl_run_program("eval", late, "1"), BL_DEVICE, "more than it was asked");
     const bl_streams streams = {.input = "1\n2\n3\n4\n5\n"};
     bl_ran ran = bl_run_words(&streams, (const char *const[]){"eval", die, "--threads", "1", NULL});
