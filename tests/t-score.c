@@ -168,7 +168,7 @@ typedef enum fault { SOUND, CALL_ORDER, BATCH, THREAD, ROWS, REFERENCE } fault;
 typedef struct faulty {
     const bl_signal *noise;
     fault fault;
-    float step; // of ROWS
+    float step; // of ROWS and REFERENCE
 } faulty;
 
 static atomic_uint calls;
@@ -201,7 +201,7 @@ static void faulty_points(const void *parameters, const double *const at[BL_AXES
 
 static double faulty_value(const void *parameters, const double at[BL_AXES]) {
     const faulty *f = parameters;
-    return bl_signal_value(f->noise, at) + (f->fault == REFERENCE ? 4e-6 : 0);
+    return bl_signal_value(f->noise, at) + (f->fault == REFERENCE ? (double)f->step : 0);
 }
 
 static const bl_signal_functions faulty_functions = {
