@@ -3,7 +3,7 @@
 #   make            the program and the libraries          make check      all tests
 #   make reproduce  the figures, into out/                 make bench      the benchmark
 #   make install    PREFIX=/usr/local DESTDIR=             make format     clang-format
-#   make asan, ubsan, tsan   the quick tests under a sanitizer
+#   make asan, ubsan, tsan   the quick tests under a sanitizer; sanitize: the first two at once
 #   make V=1        shows the commands
 #   make check T=word    only the tests whose name has the word; SCALE=10 repeats more
 
@@ -59,7 +59,7 @@ ISA_FLAGS_v4 := -march=x86-64-v4 -mtune=icelake-server -mprefer-vector-width=512
 Q := $(if $(V),,@)
 say = $(if $(V),,@printf '  %-8s %s\n' $(1) $@)
 
-.PHONY: all check reproduce bench install deps format clean asan ubsan tsan
+.PHONY: all check reproduce bench install deps format clean asan ubsan sanitize tsan
 .DELETE_ON_ERROR:
 all: $(BUILD)/bandlimit $(BUILD)/libbandlimit.a $(BUILD)/libbandlimit.so $(BUILD)/bandlimit.pc
 
@@ -134,10 +134,14 @@ check: deps
 # Sanitized builds stand apart; their speed asks for the quick tests only.
 SANITIZED = $(MAKE) --no-print-directory check BUILD=build/$@ CFLAGS='-O1 -g' CXXFLAGS='-O1 -g' \
     SCALE=0.1
+ADDRESS := -fsanitize=address -fno-omit-frame-pointer
+UNDEFINED := -fsanitize=undefined,float-cast-overflow -fno-sanitize-recover=all
 asan: deps
-	@$(SANITIZED) SANITIZE='-fsanitize=address -fno-omit-frame-pointer'
+	@$(SANITIZED) SANITIZE='$(ADDRESS)'
 ubsan: deps
-	@$(SANITIZED) SANITIZE='-fsanitize=undefined,float-cast-overflow -fno-sanitize-recover=all'
+	@$(SANITIZED) SANITIZE='$(UNDEFINED)'
+sanitize: deps
+	@$(SANITIZED) SANITIZE='$(ADDRESS) $(UNDEFINED)'
 # The thread sanitizer understands OpenMP only through clang's runtime and its tool library; the
 # libraries that are not instrumented are left out.
 tsan:
