@@ -19,7 +19,9 @@ SOVERSION := 0
 
 NOISES := $(shell sed -n 's/^BL_NOISE(\(.*\))/\1/p' noises/noises.def)
 ISAS := baseline v3 v4
-LIBRARY_C := $(wildcard core/*.c spectra/*.c score/*.c reports/*.c reports/figures/*.c) \
+FOLDERS := core filters filters/primitives spectra textures aliasing aliasing/views \
+    aliasing/methods aliasing/trades score reports reports/figures
+LIBRARY_C := $(wildcard $(FOLDERS:%=%/*.c)) \
     $(filter-out $(NOISES:%=noises/%.c),$(wildcard noises/*.c))
 LIBRARY_OBJECTS := $(LIBRARY_C:%.c=$(BUILD)/%.o) $(BUILD)/reports/oiio.o \
     $(foreach isa,$(ISAS),$(NOISES:%=$(BUILD)/noises/%.$(isa).o))

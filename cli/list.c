@@ -3,10 +3,13 @@
 // The verb `list`: what there is, one line a thing.
 #include <string.h>
 
+#include "aliasing/view.h"
 #include "cli/json.h"
 #include "cli/verb.h"
 #include "cli/words.h"
+#include "filters/primitive.h"
 #include "reports/experiment.h"
+#include "textures/texture.h"
 
 typedef struct list_settings {
     int names;
@@ -25,25 +28,42 @@ typedef struct list_section {
     list_entry (*at)(size_t index);
 } list_section;
 
-static list_entry noise_at(size_t index) {
-    const bl_noise *noise = bl_noise_at(index, BL_ISA_BASELINE);
-    return (list_entry){noise->name, noise->title, noise->paper, noise->summary, noise->dimensions};
-}
-
 static list_entry figure_at(size_t index) {
     const bl_figure *figure = bl_figure_at(index);
     return (list_entry){figure->name, figure->title, figure->paper, figure->question, 0};
 }
 
-static size_t none(void) {
-    return 0;
+static list_entry of_definition(const bl_definition *definition) {
+    return (list_entry){definition->name, definition->title, definition->paper, definition->summary,
+                        definition->dimensions};
+}
+
+static list_entry noise_at(size_t index) {
+    return of_definition(bl_noise_at(index, BL_ISA_BASELINE));
+}
+
+static list_entry primitive_at(size_t index) {
+    return of_definition(bl_primitive_at(index));
+}
+
+static list_entry texture_at(size_t index) {
+    return of_definition(bl_texture_at(index));
+}
+
+static list_entry filter_at(size_t index) {
+    const bl_filter *filter = bl_filter_at(index);
+    return (list_entry){filter->name, filter->title, filter->paper, filter->summary, 0};
+}
+
+static list_entry view_at(size_t index) {
+    const bl_view_kind *view = bl_view_at(index);
+    return (list_entry){view->name, view->title, NULL, view->summary, 0};
 }
 
 static const list_section sections[] = {
-    {"noises", bl_noise_count, noise_at},
-    {"filters", none, NULL},
-    {"textures", none, NULL},
-    {"figures", bl_figure_count, figure_at},
+    {"noises", bl_noise_count, noise_at},    {"primitives", bl_primitive_count, primitive_at},
+    {"filters", bl_filter_count, filter_at}, {"textures", bl_texture_count, texture_at},
+    {"views", bl_view_count, view_at},       {"figures", bl_figure_count, figure_at},
 };
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
@@ -65,7 +85,7 @@ static json_t *section_json(const list_section *section) {
 
 static void print_section(FILE *out, const list_section *section, int names) {
     if (!names)
-        fprintf(out, "%s%s\n", section->name, section->count() ? "" : ": none in this version");
+        fprintf(out, "%s\n", section->name);
     int width = 0;
     for (size_t i = 0; i < section->count(); i++) {
         int letters = (int)strlen(section->at(i).name);
@@ -76,7 +96,9 @@ static void print_section(FILE *out, const list_section *section, int names) {
         if (names)
             fprintf(out, "%s\n", entry.name);
         else
-            fprintf(out, "  %-*s  %s (%s)\n", width, entry.name, entry.title, entry.paper);
+            fprintf(out, "  %-*s  %s%s%s%s\n", width, entry.name, entry.title,
+                    entry.paper ? " (" : "", entry.paper ? entry.paper : "",
+                    entry.paper ? ")" : "");
     }
 }
 
@@ -91,9 +113,10 @@ static bl_status run_list(bl_call *call) {
     known[SECTIONS] = NULL;
     const char *near = found ? NULL : bl_suggest(word, known);
     if (!found)
-        return bl_report(&call->message, BL_USAGE,
-                         "'%s' is not a list; use noises, filters, textures or figures%s%s%s", word,
-                         near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+        return bl_report(
+            &call->message, BL_USAGE,
+            "'%s' is not a list; use noises, primitives, filters, textures, views or figures%s%s%s",
+            word, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
     json_t *object = bl_json_start(call);
     for (size_t i = 0; i < SECTIONS; i++) {
         if (word && strcmp(word, sections[i].name) != 0)
@@ -114,8 +137,11 @@ static const bl_option options[] = {{.name = "names",
 
 const bl_verb bl_verb_list = {
     .name = "list",
-    .operands = "[noises|filters|textures|figures]",
+    .operands = "[KIND]",
     .summary = "what there is, by kind",
+    .text =
+        "KIND is noises, primitives, filters, textures, views or figures; without it all of "
+        "them are listed.",
     .most = 1,
     .output_help = "write the list to PATH instead of stdout",
     .options = options,

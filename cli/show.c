@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// The verb `show`: what a noise, a figure or a file is, with its parameters and what it claims.
+// The verb `show`: what a noise, a filter, a figure or a file is, with its parameters and what it
+// claims.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "aliasing/view.h"
 #include "cli/json.h"
 #include "cli/plain.h"
 #include "cli/verb.h"
 #include "cli/words.h"
 #include "core/grammar.h"
+#include "filters/primitive.h"
 #include "reports/experiment.h"
 #include "reports/source.h"
+#include "textures/texture.h"
 
 static const char *const kinds[] = {"seed", "integer", "real", "choice", "list", "text", "signal"};
 
@@ -148,32 +152,76 @@ static void print_facts(FILE *out, const bl_signal *signal) {
             bl_signal_has_closed_form(signal) ? "closed form" : "no closed form");
 }
 
-static bl_status show_noise(bl_call *call, const bl_noise *noise, const char *text) {
+// The registry that a definition stands in.
+static const char *kind_of(const bl_definition *definition) {
+    return bl_texture_find(definition->name)     ? "texture"
+           : bl_primitive_find(definition->name) ? "primitive"
+                                                 : "noise";
+}
+
+static bl_status show_definition(bl_call *call, const bl_definition *definition, const char *text) {
     bl_signal *signal;
-    bl_status status = bl_noise_open(text, call->isa, &signal, &call->message);
+    bl_status status = bl_source_open(text, call->isa, &signal, &call->message);
     if (status != BL_OK)
         return status;
     json_t *object = bl_json_start(call);
     if (object) {
-        bl_json_set_text(object, "kind", "noise");
-        bl_json_set_text(object, "name", noise->name);
+        bl_json_set_text(object, "kind", kind_of(definition));
+        bl_json_set_text(object, "name", definition->name);
         bl_json_set_text(object, "signal", signal->text);
-        bl_json_set_text(object, "title", noise->title);
-        bl_json_set_text(object, "summary", noise->summary);
-        bl_json_set_text(object, "formula", noise->formula);
-        bl_json_set_text(object, "paper", noise->paper);
+        bl_json_set_text(object, "title", definition->title);
+        bl_json_set_text(object, "summary", definition->summary);
+        bl_json_set_text(object, "formula", definition->formula);
+        bl_json_set_text(object, "paper", definition->paper);
         bl_json_set_count(object, "dimensions", signal->dimensions);
-        json_object_set_new(object, "parameters", parameters_json(noise->parameters));
+        json_object_set_new(object, "parameters", parameters_json(definition->parameters));
         facts_json(object, signal);
     } else {
-        fprintf(call->out, "%s: %s\n\n%s\n\nformula\n  %s\n", noise->name, noise->title,
-                noise->summary, noise->formula);
-        fprintf(call->out, "\nsource       %s\ndimensions   %u\n", noise->paper,
+        fprintf(call->out, "%s: %s\n\n%s\n\nformula\n  %s\n", definition->name, definition->title,
+                definition->summary, definition->formula);
+        fprintf(call->out, "\nsource       %s\ndimensions   %u\n", definition->paper,
                 signal->dimensions);
-        print_parameters(call->out, noise->parameters);
+        print_parameters(call->out, definition->parameters);
         print_facts(call->out, signal);
     }
     bl_signal_free(signal);
+    return BL_OK;
+}
+
+static bl_status show_filter(bl_call *call, const bl_filter *filter) {
+    json_t *object = bl_json_start(call);
+    if (object) {
+        bl_json_set_text(object, "kind", "filter");
+        bl_json_set_text(object, "name", filter->name);
+        bl_json_set_text(object, "title", filter->title);
+        bl_json_set_text(object, "summary", filter->summary);
+        bl_json_set_text(object, "formula", filter->formula);
+        bl_json_set_text(object, "paper", filter->paper);
+        bl_json_set_number(object, "support_widths", filter->support);
+        bl_json_set_text(object, "continuity", continuity_word(filter->continuity));
+        return BL_OK;
+    }
+    fprintf(call->out, "%s: %s\n\n%s\n\nkernel       %s\n", filter->name, filter->title,
+            filter->summary, filter->formula);
+    fprintf(call->out, "source       %s\nsupport      %g widths to both sides\ncontinuity   %s\n",
+            filter->paper, filter->support, continuity_word(filter->continuity));
+    return BL_OK;
+}
+
+static bl_status show_view(bl_call *call, const bl_view_kind *view) {
+    json_t *object = bl_json_start(call);
+    if (object) {
+        bl_json_set_text(object, "kind", "view");
+        bl_json_set_text(object, "name", view->name);
+        bl_json_set_text(object, "title", view->title);
+        bl_json_set_text(object, "summary", view->summary);
+        bl_json_set_text(object, "formula", view->formula);
+        json_object_set_new(object, "parameters", parameters_json(view->parameters));
+        return BL_OK;
+    }
+    fprintf(call->out, "%s: %s\n\n%s\n\nformula\n  %s\n", view->name, view->title, view->summary,
+            view->formula);
+    print_parameters(call->out, view->parameters);
     return BL_OK;
 }
 
@@ -242,18 +290,26 @@ static bl_status show_file(bl_call *call, const char *text) {
 }
 
 static bl_status report_unknown(bl_call *call, const char *name) {
-    size_t noises = bl_noise_count(), figures = bl_figure_count();
-    const char **names = calloc(noises + figures + 1, sizeof *names);
+    size_t definitions = 0, count = 0;
+    while (bl_source_definition_at(definitions))
+        definitions++;
+    const char **names = calloc(
+        definitions + bl_filter_count() + bl_view_count() + bl_figure_count() + 1, sizeof *names);
     if (!names)
         return bl_report(&call->message, BL_DEVICE, "out of memory");
-    for (size_t i = 0; i < noises; i++)
-        names[i] = bl_noise_at(i, BL_ISA_BASELINE)->name;
-    for (size_t i = 0; i < figures; i++)
-        names[noises + i] = bl_figure_at(i)->name;
+    for (size_t i = 0; i < definitions; i++)
+        names[count++] = bl_source_definition_at(i)->name;
+    for (size_t i = 0; i < bl_filter_count(); i++)
+        names[count++] = bl_filter_at(i)->name;
+    for (size_t i = 0; i < bl_view_count(); i++)
+        names[count++] = bl_view_at(i)->name;
+    for (size_t i = 0; i < bl_figure_count(); i++)
+        names[count++] = bl_figure_at(i)->name;
     const char *near = bl_suggest(name, names);
     free(names);
     return bl_report(&call->message, BL_USAGE,
-                     "no noise, figure or file is called '%s'%s%s%s`bandlimit list` shows all",
+                     "no noise, primitive, filter, texture, view, figure or file is called "
+                     "'%s'%s%s%s`bandlimit list` shows all",
                      name, near ? "; did you mean '" : "", near ? near : "", near ? "'? " : "; ");
 }
 
@@ -268,8 +324,17 @@ static bl_status run_show(bl_call *call) {
     bl_status status = bl_spec_parse(text, &spec, &call->message);
     if (status != BL_OK)
         return status;
-    const bl_noise *noise = bl_noise_find(spec.name, call->isa);
-    status = noise ? show_noise(call, noise, text) : report_unknown(call, spec.name);
+    const bl_definition *definition = bl_source_definition(spec.name, call->isa);
+    const bl_filter *filter = bl_filter_find(spec.name);
+    const bl_view_kind *view = bl_view_find(spec.name);
+    if (definition)
+        status = show_definition(call, definition, text);
+    else if (filter && !spec.count)
+        status = show_filter(call, filter);
+    else if (view && !spec.count)
+        status = show_view(call, view);
+    else
+        status = report_unknown(call, spec.name);
     bl_spec_free(&spec);
     return status;
 }
@@ -279,8 +344,9 @@ const bl_verb bl_verb_show = {
     .operands = "NAME",
     .summary = "definition, parameters, claims, source",
     .text =
-        "NAME is a noise, with or without settings (the facts are those for the settings), a "
-        "figure, a file, a function ./lib.so:NAME, or a program cmd:PROGRAM.",
+        "NAME is a noise, primitive or texture, with or without settings (the facts are those for "
+        "the settings), a filter, a view, a figure, a file, a function ./lib.so:NAME, or a program "
+        "cmd:PROGRAM.",
     .least = 1,
     .most = 1,
     .output_help = "write the text to PATH instead of stdout",

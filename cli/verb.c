@@ -4,8 +4,10 @@
 #include <ctype.h>
 #include <string.h>
 
+#include "aliasing/view.h"
 #include "cli/words.h"
 #include "core/grammar.h"
+#include "filters/filter.h"
 #include "reports/experiment.h"
 #include "reports/source.h"
 
@@ -99,7 +101,7 @@ static const char *kind_of(const char *text, char *name, size_t size) {
     const char *kind = NULL;
     snprintf(name, size, "%s", text);
     bl_source_kind source = bl_source_kind_of(name);
-    if (source != BL_SOURCE_NOISE)
+    if (source != BL_SOURCE_DEFINITION)
         return source == BL_SOURCE_PLUGIN    ? "a function"
                : source == BL_SOURCE_PROGRAM ? "a program"
                                              : "a file";
@@ -111,6 +113,12 @@ static const char *kind_of(const char *text, char *name, size_t size) {
         return NULL;
     if (bl_noise_find(spec.name, BL_ISA_BASELINE))
         kind = "a noise";
+    else if (bl_source_definition(spec.name, BL_ISA_BASELINE))
+        kind = "a signal";
+    else if (bl_filter_find(spec.name))
+        kind = "a filter";
+    else if (bl_view_find(spec.name))
+        kind = "a view";
     bl_spec_free(&spec);
     return kind;
 }

@@ -80,7 +80,7 @@ _bandlimit() {
     "") words=$verbs ;;
     list)
         options="--names"
-        words="noises filters textures figures"
+        words="noises primitives filters textures views figures"
         ;;
     show) words="$(_bandlimit_names noises) $(_bandlimit_names figures)" files=yes ;;
     eval)

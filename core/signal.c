@@ -73,6 +73,7 @@ static bl_signal *copy_with(const bl_signal *signal, const uint64_t *seed) {
         memcpy((char *)copy->parameters + signal->seed_offset, seed, sizeof *seed);
     if (bl_signal_build(copy, NULL) != BL_OK)
         return NULL;
+    copy->definition = signal->definition;
     copy->seed_offset = signal->seed_offset;
     copy->dimensions = signal->dimensions;
     copy->name = signal->name;
@@ -102,16 +103,46 @@ int bl_signal_has_closed_form(const bl_signal *signal) {
 
 void bl_signal_row(const bl_signal *signal, const double start[BL_AXES], const double step[BL_AXES],
                    size_t count, float *out) {
-    signal->functions->row(signal->parameters, start, step, count, out);
+    if (signal->functions->row) {
+        signal->functions->row(signal->parameters, start, step, count, out);
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        double at[BL_AXES];
+        for (int a = 0; a < BL_AXES; a++)
+            at[a] = start[a] + (double)i * step[a];
+        out[i] = (float)bl_signal_value(signal, at);
+    }
 }
 
 void bl_signal_points(const bl_signal *signal, const double *const at[BL_AXES], size_t count,
                       float *out) {
-    signal->functions->points(signal->parameters, at, count, out);
+    if (signal->functions->points) {
+        signal->functions->points(signal->parameters, at, count, out);
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const double place[BL_AXES] = {at[0][i], at[1][i], at[2][i], at[3][i]};
+        out[i] = (float)bl_signal_value(signal, place);
+    }
 }
 
 double bl_signal_value(const bl_signal *signal, const double at[BL_AXES]) {
     return signal->functions->value(signal->parameters, at);
+}
+
+double bl_signal_filtered(const bl_signal *signal, const double at[BL_AXES],
+                          const double width[BL_AXES]) {
+    return signal->functions->filtered ? signal->functions->filtered(signal->parameters, at, width)
+                                       : bl_signal_value(signal, at);
+}
+
+void bl_signal_colour(const bl_signal *signal, const double at[BL_AXES],
+                      const double width[BL_AXES], double rgb[3]) {
+    if (signal->functions->colour)
+        signal->functions->colour(signal->parameters, at, width, rgb);
+    else
+        rgb[0] = rgb[1] = rgb[2] = bl_signal_filtered(signal, at, width);
 }
 
 bl_status bl_signal_complaint(const bl_signal *signal, bl_message *message) {

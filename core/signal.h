@@ -21,6 +21,7 @@ typedef struct bl_signal bl_signal;
 // The abilities. A function gets the signal's parameter block; the ones marked optional may be
 // NULL.
 typedef struct bl_signal_functions {
+    // Optional, like `points`: without them the rows are the values, rounded to float.
     // Fills out[i] with the value at start + i*step, each coordinate computed in double as
     // start[a] + (double)i * step[a]. NaN, infinite or too large coordinates give NaN.
     void (*row)(const void *parameters, const double start[BL_AXES], const double step[BL_AXES],
@@ -39,8 +40,13 @@ typedef struct bl_signal_functions {
     // Optional: the closed-form power spectral density of the stationarised signal in all its
     // dimensions, two-sided, value^2 per (cycle per unit)^dims; its integral is the variance.
     double (*density)(const void *parameters, const double frequency[BL_AXES]);
-    // Optional: the mean over a box of the given widths centred at a point.
-    double (*box)(const void *parameters, const double at[BL_AXES], const double width[BL_AXES]);
+    // Optional: the value as the signal's own means filter it for samples that stand `width` apart
+    // along each axis, centred at a point. Width 0 is the value itself, infinite width the mean.
+    double (*filtered)(const void *parameters, const double at[BL_AXES],
+                       const double width[BL_AXES]);
+    // Optional: the linear red, green and blue that the value is a component of, filtered likewise.
+    void (*colour)(const void *parameters, const double at[BL_AXES], const double width[BL_AXES],
+                   double rgb[3]);
     // Optional: makes what the parameter block refers to (a tile, another signal) from the settings
     // in it. The library calls it once for a block, on opening and on reseeding; a failed call
     // leaves nothing to release.
@@ -78,7 +84,8 @@ typedef struct bl_extent {
 
 struct bl_signal {
     const bl_signal_functions *functions;
-    void *parameters; // owned
+    const struct bl_definition *definition; // core/definition.h; NULL for a file and the user's own
+    void *parameters;                       // owned
     size_t parameters_size;
     size_t seed_offset; // of the uint64_t seed in the block, or SIZE_MAX for a signal without one
     unsigned dimensions;
@@ -119,6 +126,12 @@ void bl_signal_row(const bl_signal *signal, const double start[BL_AXES], const d
 void bl_signal_points(const bl_signal *signal, const double *const at[BL_AXES], size_t count,
                       float *out);
 double bl_signal_value(const bl_signal *signal, const double at[BL_AXES]);
+// The filtered value; of a signal that cannot filter itself the plain value.
+double bl_signal_filtered(const bl_signal *signal, const double at[BL_AXES],
+                          const double width[BL_AXES]);
+// The filtered colour; of a signal without one its filtered value thrice.
+void bl_signal_colour(const bl_signal *signal, const double at[BL_AXES],
+                      const double width[BL_AXES], double rgb[3]);
 bl_status bl_signal_complaint(const bl_signal *signal, bl_message *message);
 
 #endif

@@ -3,7 +3,6 @@
 // The registry: one descriptor of each noise for each instruction set, picked once at opening.
 #include "noises/noise.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #define BL_NOISE(stem)                                                                             \
@@ -87,50 +86,14 @@ static bl_status report_unknown(const char *name, bl_message *message) {
                      name, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : ";");
 }
 
-// Makes the signal of a block that was read.
-static bl_status make_signal(const bl_noise *noise, const void *block, bl_signal **signal,
-                             bl_message *message) {
-    char *canonical = bl_parameters_text(noise->name, noise->parameters, block);
-    bl_signal *made =
-        canonical ? bl_signal_new(&noise->functions, block, noise->parameters_size, canonical)
-                  : NULL;
-    free(canonical);
-    if (!made)
-        return bl_report(message, BL_DEVICE, "out of memory opening '%s'", noise->name);
-    bl_status status = bl_signal_build(made, message);
-    if (status != BL_OK)
-        return status;
-    made->seed_offset = noise->seed_offset;
-    made->dimensions =
-        noise->dimensions_of ? noise->dimensions_of(made->parameters) : noise->dimensions;
-    made->name = noise->name;
-    noise->describe(made->parameters, &made->facts);
-    made->closed_form = noise->functions.covariance &&
-                        (!noise->has_closed_form || noise->has_closed_form(made->parameters));
-    *signal = made;
-    return BL_OK;
-}
-
 bl_status bl_noise_open(const char *text, bl_isa isa, bl_signal **signal, bl_message *message) {
     bl_spec spec;
     bl_status status = bl_spec_parse(text, &spec, message);
     if (status != BL_OK)
         return status;
     const bl_noise *noise = bl_noise_find(spec.name, isa);
-    void *block = noise ? calloc(1, noise->parameters_size) : NULL;
-    if (!noise)
-        status = report_unknown(spec.name, message);
-    else if (!block)
-        status = bl_report(message, BL_DEVICE, "out of memory opening '%s'", text);
-    else
-        status = bl_parameters_read(noise->parameters, &spec, text, block, message);
-    if (status == BL_OK && noise->validate)
-        status = noise->validate(block, message);
-    if (status == BL_OK)
-        status = make_signal(noise, block, signal, message);
-    if (status == BL_USAGE && block)
-        bl_parameters_place(noise->parameters, &spec, text, block, message);
-    free(block);
+    status = noise ? bl_definition_open(noise, &spec, text, signal, message)
+                   : report_unknown(spec.name, message);
     bl_spec_free(&spec);
     return status;
 }

@@ -2,41 +2,17 @@
 //
 // The contract of a noise, and the registry of all noises.
 //
-// A noise is one file, which ends with one descriptor, and one line in noises.def. The file is
+// A noise is one file, which ends with one definition (core/definition.h), and one line in
+// noises.def. The file is
 // compiled once for each instruction set; BL_NOISE_DESCRIPTOR gives the descriptor its suffixed
 // name, and everything else in the file is static. No analysis knows a noise by name: what it may
 // know stands in the descriptor.
 #ifndef BL_NOISES_NOISE_H
 #define BL_NOISES_NOISE_H
 
-#include "core/grammar.h"
-#include "core/signal.h"
+#include "core/definition.h"
 
-typedef struct bl_noise {
-    const char *name;    // in the registry and the grammar: "gnoise"
-    const char *title;   // "gradient noise"
-    const char *summary; // one sentence
-    const char *formula; // in plain text
-    const char *paper;   // key and page or section: "peachey2003, p. 75"
-    unsigned dimensions; // 1 to 4, with the default settings
-    const bl_parameter *parameters;
-    size_t parameters_size; // of the flat parameter block
-    size_t seed_offset;
-    // Optional: the dimensions with these parameters, and with what functions.build made of them;
-    // NULL: always those above.
-    unsigned (*dimensions_of)(const void *parameters);
-    // Optional: whether the parameters fit together; the message names the keys. Errors: BL_USAGE.
-    bl_status (*validate)(const void *parameters, bl_message *message);
-    // Fills the facts, which may depend on the parameters (and on what functions.build made).
-    void (*describe)(const void *parameters, bl_facts *facts);
-    // Optional: whether the closed forms (covariance, density) hold for these parameters; NULL
-    // means that they always do. Sets bl_signal.closed_form.
-    int (*has_closed_form)(const void *parameters);
-    // Optional: the plain loops of the text in float, a call a point, with the default settings and
-    // the tables of noises/textbook.h: the yardstick of the benchmark, never used otherwise.
-    float (*textbook)(float x, float y, float z);
-    bl_signal_functions functions;
-} bl_noise;
+typedef bl_definition bl_noise;
 
 // The instruction sets every noise is compiled for; all give the same bits.
 typedef enum bl_isa { BL_ISA_BASELINE, BL_ISA_V3, BL_ISA_V4, BL_ISA_COUNT, BL_ISA_BEST } bl_isa;

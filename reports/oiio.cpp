@@ -355,9 +355,17 @@ extern "C" void image_release(void *parameters) {
     delete static_cast<Block *>(parameters)->pixels;
 }
 
-const bl_signal_functions image_functions = {image_row,     image_points, image_value, nullptr,
-                                             nullptr,       nullptr,      nullptr,     nullptr,
-                                             image_release, nullptr};
+// By name, so that an ability more in the contract moves none of these.
+bl_signal_functions functions_of_images() {
+    bl_signal_functions functions{};
+    functions.row = image_row;
+    functions.points = image_points;
+    functions.value = image_value;
+    functions.release = image_release;
+    return functions;
+}
+
+const bl_signal_functions image_functions = functions_of_images();
 
 bl_status check_file(const char *path, bl_message *message) {
     struct stat info;

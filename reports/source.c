@@ -13,9 +13,11 @@
 #include <unistd.h>
 
 #include "core/grammar.h"
+#include "filters/primitive.h"
 #include "reports/image.h"
 #include "reports/source_kinds.h"
 #include "reports/sampled_tile.h"
+#include "textures/texture.h"
 
 static int ends_with(const char *text, size_t length, const char *ending) {
     size_t tail = strlen(ending);
@@ -43,14 +45,14 @@ bl_source_kind bl_source_kind_of(const char *text) {
         return BL_SOURCE_RAW;
     char *name = strndup(text, length);
     if (!name)
-        return BL_SOURCE_NOISE;
+        return BL_SOURCE_DEFINITION;
     int is_file = strpbrk(name, "./") != NULL || (length > 0 && access(name, F_OK) == 0);
     free(name);
-    return is_file ? BL_SOURCE_IMAGE : BL_SOURCE_NOISE;
+    return is_file ? BL_SOURCE_IMAGE : BL_SOURCE_DEFINITION;
 }
 
 int bl_source_is_file(const char *text) {
-    return bl_source_kind_of(text) != BL_SOURCE_NOISE;
+    return bl_source_kind_of(text) != BL_SOURCE_DEFINITION;
 }
 
 int bl_source_in_range(const double *at, unsigned dims) {
@@ -306,9 +308,66 @@ bl_status bl_source_open_seeded(const char *text, uint64_t seed, bl_isa isa, bl_
     return status;
 }
 
+static const bl_definition *noise_at(size_t index) {
+    return bl_noise_at(index, BL_ISA_BASELINE);
+}
+
+static const struct {
+    size_t (*count)(void);
+    const bl_definition *(*at)(size_t index);
+} registries[] = {{bl_noise_count, noise_at},
+                  {bl_primitive_count, bl_primitive_at},
+                  {bl_texture_count, bl_texture_at}};
+
+const bl_definition *bl_source_definition(const char *name, bl_isa isa) {
+    const bl_definition *found = bl_noise_find(name, isa);
+    if (!found)
+        found = bl_primitive_find(name);
+    return found ? found : bl_texture_find(name);
+}
+
+const bl_definition *bl_source_definition_at(size_t index) {
+    for (size_t i = 0; i < sizeof registries / sizeof *registries; i++) {
+        if (index < registries[i].count())
+            return registries[i].at(index);
+        index -= registries[i].count();
+    }
+    return NULL;
+}
+
+static bl_status report_unknown(const char *name, bl_message *message) {
+    size_t count = 0;
+    while (bl_source_definition_at(count))
+        count++;
+    const char **names = calloc(count + 1, sizeof *names);
+    if (!names)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    for (size_t i = 0; i < count; i++)
+        names[i] = bl_source_definition_at(i)->name;
+    const char *near = bl_nearest(name, names);
+    bl_status status = bl_report(
+        message, BL_USAGE, "unknown signal '%s' at column 1%s%s%s `bandlimit list` shows all", name,
+        near ? "; did you mean '" : "", near ? near : "", near ? "'?" : ";");
+    free(names);
+    return status;
+}
+
+static bl_status open_definition(const char *text, bl_isa isa, bl_signal **signal,
+                                 bl_message *message) {
+    bl_spec spec;
+    bl_status status = bl_spec_parse(text, &spec, message);
+    if (status != BL_OK)
+        return status;
+    const bl_definition *definition = bl_source_definition(spec.name, isa);
+    status = definition ? bl_definition_open(definition, &spec, text, signal, message)
+                        : report_unknown(spec.name, message);
+    bl_spec_free(&spec);
+    return status;
+}
+
 bl_status bl_source_open(const char *text, bl_isa isa, bl_signal **signal, bl_message *message) {
     switch (bl_source_kind_of(text)) {
-    case BL_SOURCE_NOISE:
+    case BL_SOURCE_DEFINITION:
         break;
     case BL_SOURCE_IMAGE:
         return open_image(text, signal, message);
@@ -319,5 +378,5 @@ bl_status bl_source_open(const char *text, bl_isa isa, bl_signal **signal, bl_me
     case BL_SOURCE_PROGRAM:
         return bl_program_open(text, signal, message);
     }
-    return bl_noise_open(text, isa, signal, message);
+    return open_definition(text, isa, signal, message);
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Opens any signal by its text: a noise of the registry, a file of samples, or the user's own noise
-// as a function or as a program.
+// Opens any signal by its text: a noise, primitive or texture of the registries, a file of samples,
+// or the user's own noise as a function or as a program.
 //
-//   gnoise:seed=7                                a noise
+//   gnoise:seed=7                                a noise, a primitive, a texture
 //   grain.exr:spacing=0.0625,channel=R           an image file
 //   vol.raw:size=128x128x128,wrap=periodic       bare samples
 //   ./mine.so:noise,seed=3                       a function in a shared object
@@ -67,7 +67,7 @@ bl_status bl_source_open_seeded(const char *text, uint64_t seed, bl_isa isa, bl_
 
 // What a text names, by the rule above.
 typedef enum bl_source_kind {
-    BL_SOURCE_NOISE,
+    BL_SOURCE_DEFINITION,
     BL_SOURCE_IMAGE,
     BL_SOURCE_RAW,
     BL_SOURCE_PLUGIN,
@@ -76,7 +76,12 @@ typedef enum bl_source_kind {
 
 bl_source_kind bl_source_kind_of(const char *text);
 
-// Whether the text names anything but a noise.
+// The definition of a noise, primitive or texture by name; NULL for an unknown one.
+const bl_definition *bl_source_definition(const char *name, bl_isa isa);
+// All of them in order, noises first; NULL past the end.
+const bl_definition *bl_source_definition_at(size_t index);
+
+// Whether the text names anything but a definition.
 int bl_source_is_file(const char *text);
 
 #endif

@@ -424,8 +424,8 @@ static void test_what_ends_in_so_is_a_function(void **state) {
     assert_int_equal(bl_source_kind_of("cmd:./lib.so"), BL_SOURCE_PROGRAM);
     assert_int_equal(bl_source_kind_of("cmd,dims=2:x"), BL_SOURCE_PROGRAM);
     assert_int_equal(bl_source_kind_of("a.raw:size=3"), BL_SOURCE_RAW);
-    assert_int_equal(bl_source_kind_of("gnoise:seed=3"), BL_SOURCE_NOISE);
-    assert_int_equal(bl_source_kind_of(""), BL_SOURCE_NOISE);
+    assert_int_equal(bl_source_kind_of("gnoise:seed=3"), BL_SOURCE_DEFINITION);
+    assert_int_equal(bl_source_kind_of(""), BL_SOURCE_DEFINITION);
 }
 
 // The examples that need a library are built where it is, and not counted as passed elsewhere.

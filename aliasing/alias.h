@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+//
+// What a sampling method leaves of a signal under a view: alias, blur, error, flicker and cost.
+//
+// Let F be the image that the view shows, as a function of a continuous place (x, y), and G what
+// the method gives for a pixel centred at (x, y). The pixels of an image are samples of G at the
+// centres. Both are computed on a grid of `oversample` samples a pixel along each axis, and in
+// their discrete Fourier transforms
+//
+//   alias = the energy of G beyond half a cycle per pixel along either axis, which folds into the
+//           image: sum over k != 0 of int |G(f + k)|^2
+//   blur  = the energy of F - G within: int |F - G|^2, which for a linear filter H is
+//           int |1 - H|^2 |F|^2
+//
+// so that alias + blur is the squared error against the ideal band-limited image, a pixel. For a
+// stationary signal seen flat both are predicted from its density, and compared. The errors (mse,
+// psnr, ssim, largest) are those of the image itself against the converged reference, and flicker
+// is what remains of their movement: the variance over time of the error of a pixel, while the
+// view pans by sub-pixel steps and zooms, averaged over pixels. All are of the luminance, in units
+// of the signal.
+#ifndef BL_ALIASING_ALIAS_H
+#define BL_ALIASING_ALIAS_H
+
+#include "aliasing/method.h"
+#include "core/statistics.h"
+
+typedef enum bl_pixel { BL_PIXEL_BOX, BL_PIXEL_GAUSSIAN } bl_pixel; // of the reference
+
+typedef struct bl_alias_settings {
+    bl_pixel pixel;
+    unsigned oversample; // samples of G a pixel along each axis; a power of two
+    unsigned frames;     // of a pan and of a zoom; 0: no flicker
+    uint64_t seed;
+    int threads;
+    const char *cache; // folder of converged references; NULL: none is kept
+} bl_alias_settings;
+
+bl_alias_settings bl_alias_default_settings(void);
+
+typedef struct bl_alias_row {
+    char *filter; // the text of the method; owned by the result
+    bl_estimate alias, blur, mse, ssim, flicker;
+    double psnr_db; // of a full scale of 1
+    double max_error;
+    double predicted_alias, predicted_blur;      // of a stationary signal seen flat; NAN: none
+    double first_alias;                          // cycles per pixel of the strongest alias; NAN
+    double samples;                              // of the signal, a pixel
+    double ns_per_sample, ns_lowest, ns_highest; // of a pixel
+} bl_alias_row;
+
+typedef struct bl_alias_result {
+    size_t count;
+    bl_alias_row *rows;
+    double reference_error; // bound of the rms error of the converged reference
+    double seen;            // share of the pixels that see the signal
+} bl_alias_result;
+
+// Measures the methods side by side; each pixel's time is taken interleaved with the others'.
+// `text` of a method as in bl_method_open. On success the caller frees the result. Errors: those of
+// bl_method_open; BL_MISMATCH if the view sees nothing; BL_DEVICE for memory and the cache.
+bl_status bl_alias_measure(const bl_signal *signal, const bl_view *view, const char *const *methods,
+                           size_t count, const bl_alias_settings *settings, bl_alias_result *result,
+                           bl_message *message);
+void bl_alias_free(bl_alias_result *result);
+
+#endif

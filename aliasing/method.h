@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+//
+// The contract of a sampling method, and the registry of all methods: the ways from a signal and a
+// view to the colour of a pixel.
+//
+// A method is one file in aliasing/methods/, which ends with one descriptor, and one line in
+// methods.def. It is named as `supersample:n=4,pattern=jitter,pixel=gaussian`. Every word of a
+// texture's own key `filter` names a method too: the texture filters itself for the width that the
+// view's derivatives give.
+#ifndef BL_ALIASING_METHOD_H
+#define BL_ALIASING_METHOD_H
+
+#include "aliasing/view.h"
+#include "core/definition.h"
+#include "filters/sample_width.h"
+
+// What is sampled: all of it constant, and shared by threads.
+typedef struct bl_scene {
+    const bl_signal *signal;
+    const bl_view *view;
+    double background[3]; // where the view sees nothing
+    double mean[3];       // the mean colour of the signal, for those who fade to it
+    uint64_t seed;        // of sampling patterns
+} bl_scene;
+
+typedef struct bl_method_kind {
+    const char *name, *title, *summary;
+    const char *paper; // key and place
+    const bl_parameter *parameters;
+    size_t parameters_size;
+    // The colour of the sample of one pixel's width centred at (x, y), in pixels. A method uses
+    // nothing but the scene, so that pixels may be asked in any order and from any thread.
+    void (*sample)(const void *parameters, const bl_scene *scene, double x, double y,
+                   double rgb[3]);
+    // The samples of the signal that a pixel takes, for the report.
+    double (*samples)(const void *parameters);
+} bl_method_kind;
+
+size_t bl_method_count(void);
+const bl_method_kind *bl_method_at(size_t index);       // NULL past the end
+const bl_method_kind *bl_method_find(const char *name); // NULL for an unknown name
+
+typedef struct bl_method {
+    const bl_method_kind *kind;
+    void *parameters;  // owned
+    char *text;        // as in reports: "integral", "supersample:n=4"; owned
+    bl_signal *signal; // the signal as this method reads it (with its word of `filter`); owned
+} bl_method;
+
+// Opens a method for a signal: a word of the signal's key `filter`, or one of the registry with its
+// settings. The caller ends with bl_method_close. Errors: BL_USAGE for an unknown name (with the
+// nearest), key or value; BL_DEVICE out of memory.
+bl_status bl_method_open(const char *text, const bl_signal *signal, bl_method *method,
+                         bl_message *message);
+void bl_method_close(bl_method *method);
+
+// Names the descriptor of a method file: BL_METHOD_DESCRIPTOR(supersample) = {...};
+#define BL_METHOD_DESCRIPTOR(stem)                                                                 \
+    extern const bl_method_kind bl_method_##stem;                                                  \
+    const bl_method_kind bl_method_##stem
+
+#endif

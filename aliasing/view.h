@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+//
+// The contract of a view, and the registry of all views: what the pixels of an image see of a
+// texture.
+//
+// A view is one file in aliasing/views/, which ends with one descriptor, and one line in views.def.
+// It gives for every place of the image the exact texture coordinates and their derivatives, so
+// that the width of a sample is known and not guessed. A view is named as `plane:height=1,fov=60`.
+#ifndef BL_ALIASING_VIEW_H
+#define BL_ALIASING_VIEW_H
+
+#include <stddef.h>
+
+#include "core/grammar.h"
+#include "core/signal.h"
+
+// What one place of the image sees.
+typedef struct bl_sight {
+    double at[BL_AXES];        // texture coordinates
+    double across[BL_AXES];    // their derivative to the right, units per pixel
+    double down[BL_AXES];      // and downwards
+    double second[BL_AXES][3]; // second derivatives: right right, right down, down down
+    double distance;           // from the eye, units; 1 for a view without an eye
+} bl_sight;
+
+typedef struct bl_view_kind {
+    const char *name; // "plane"
+    const char *title;
+    const char *summary; // one sentence
+    const char *formula; // from pixels to texture coordinates
+    const bl_parameter *parameters;
+    size_t parameters_size;
+    // Optional: whether the parameters fit together. Errors: BL_USAGE.
+    bl_status (*validate)(const void *parameters, bl_message *message);
+    // What is seen at (x, y), in pixels from the upper left corner of an image of this size (a
+    // pixel's own centre stands at halves); 0 if nothing is (the sky), and the sight is left alone.
+    int (*see)(const void *parameters, const double size[2], double x, double y, bl_sight *sight);
+    // The coordinates are straight in x and y, so that the footprint is the same all over.
+    int affine;
+} bl_view_kind;
+
+size_t bl_view_count(void);
+const bl_view_kind *bl_view_at(size_t index);       // NULL past the end
+const bl_view_kind *bl_view_find(const char *name); // NULL for an unknown name
+
+typedef struct bl_view {
+    const bl_view_kind *kind;
+    void *parameters;     // owned
+    char *text;           // canonical, owned
+    size_t width, height; // of the image, pixels
+} bl_view;
+
+// Opens a view by its text, for images of this size; the caller ends with bl_view_close. Errors:
+// BL_USAGE for an unknown name, key or value, BL_DEVICE out of memory. Thread-safe.
+bl_status bl_view_open(const char *text, size_t width, size_t height, bl_view *view,
+                       bl_message *message);
+void bl_view_close(bl_view *view);
+
+// What the view sees at a place of its image; 0 for nothing. Thread-safe.
+int bl_view_see(const bl_view *view, double x, double y, bl_sight *sight);
+
+// Names the descriptor of a view file: BL_VIEW_DESCRIPTOR(plane) = {...};
+#define BL_VIEW_DESCRIPTOR(stem)                                                                   \
+    extern const bl_view_kind bl_view_##stem;                                                      \
+    const bl_view_kind bl_view_##stem
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// The definition of a kind of signal: of a noise, a primitive, or a texture. It is a const
+// descriptor of one file, and all that the registries, the command line and the tests know of it.
+#ifndef BL_CORE_DEFINITION_H
+#define BL_CORE_DEFINITION_H
+
+#include "core/grammar.h"
+#include "core/signal.h"
+
+typedef struct bl_definition {
+    const char *name;    // in the registry and the grammar: "gnoise"
+    const char *title;   // "gradient noise"
+    const char *summary; // one sentence
+    const char *formula; // in plain text
+    const char *paper;   // key and page or section: "peachey2003, p. 75"
+    unsigned dimensions; // 1 to 4, with the default settings
+    const bl_parameter *parameters;
+    size_t parameters_size; // of the flat parameter block
+    size_t seed_offset;
+    // Optional: the dimensions with these parameters, and with what functions.build made of them;
+    // NULL: always those above.
+    unsigned (*dimensions_of)(const void *parameters);
+    // Optional: whether the parameters fit together; the message names the keys. Errors: BL_USAGE.
+    bl_status (*validate)(const void *parameters, bl_message *message);
+    // Fills the facts, which may depend on the parameters (and on what functions.build made).
+    void (*describe)(const void *parameters, bl_facts *facts);
+    // Optional: whether the closed forms (covariance, density) hold for these parameters; NULL
+    // means that they always do. Sets bl_signal.closed_form.
+    int (*has_closed_form)(const void *parameters);
+    // Optional: the plain loops of the text in float, a call a point, with the default settings and
+    // the tables of noises/textbook.h: the yardstick of the benchmark, never used otherwise.
+    float (*textbook)(float x, float y, float z);
+    bl_signal_functions functions;
+} bl_definition;
+
+// Opens a signal of this definition with the settings of the spec; `text` is the whole text, for
+// messages. The caller frees the signal with bl_signal_free; on failure it is left alone. Errors:
+// BL_USAGE for a key or a value, BL_DEVICE out of memory. Thread-safe.
+bl_status bl_definition_open(const bl_definition *definition, const bl_spec *spec, const char *text,
+                             bl_signal **signal, bl_message *message);
+
+// The words of a choice among the keys of a signal, ended by NULL; NULL for a signal without a
+// definition, or without such a key. The words live as long as the program.
+const char *const *bl_signal_choices(const bl_signal *signal, const char *key);
+
+// A copy of the signal with another word of a choice: the same brick under another filter. Errors:
+// BL_USAGE if the signal has no such key or the key no such word, BL_DEVICE out of memory.
+bl_status bl_signal_with_choice(const bl_signal *signal, const char *key, const char *word,
+                                bl_signal **copy, bl_message *message);
+
+#endif

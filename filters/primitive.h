@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+//
+// The contract of a primitive, and the registry of all primitives.
+//
+// A primitive is a function of one coordinate that textures are made of, and a signal: one file in
+// filters/primitives/, which ends with one definition (core/definition.h), and one line in
+// primitives.def. All have the keys width, filter and anchor: the value is averaged by a filter
+// (filters/filter.h) over samples of this width, around x or from x on.
+//
+// Width 0 is the function itself; an infinite width is its mean. All functions are defined for
+// every double; the head of each file says how.
+#ifndef BL_FILTERS_PRIMITIVE_H
+#define BL_FILTERS_PRIMITIVE_H
+
+#include <stddef.h>
+
+#include "core/definition.h"
+#include "filters/filter.h"
+
+typedef bl_definition bl_primitive;
+
+size_t bl_primitive_count(void);
+const bl_primitive *bl_primitive_at(size_t index);       // NULL past the end
+const bl_primitive *bl_primitive_find(const char *name); // NULL for an unknown name
+
+// How a primitive is averaged: a field of its parameter block.
+typedef struct bl_averaging {
+    double width;
+    uint32_t filter; // index in the registry of filters
+    uint32_t anchor; // 0 centre, 1 start: over [x, x + width] for the box
+} bl_averaging;
+
+// The keys of bl_averaging, for the parameter list of a file whose block has it as `averaging`.
+extern const char *const bl_anchor_words[];
+#define BL_AVERAGING_PARAMETERS(block)                                                             \
+    {.key = "width",                                                                               \
+     .kind = BL_REAL,                                                                              \
+     .offset = offsetof(block, averaging.width),                                                   \
+     .maximum = INFINITY,                                                                          \
+     .fallback = "0",                                                                              \
+     .unit = "units",                                                                              \
+     .help = "of a sample, over which the value is averaged; 0: not at all"},                      \
+        {.key = "filter",                                                                          \
+         .kind = BL_CHOICE,                                                                        \
+         .offset = offsetof(block, averaging.filter),                                              \
+         .choices = bl_filter_words,                                                               \
+         .fallback = "box",                                                                        \
+         .unit = "",                                                                               \
+         .help = "that averages"},                                                                 \
+    {                                                                                              \
+        .key = "anchor", .kind = BL_CHOICE, .offset = offsetof(block, averaging.anchor),           \
+        .choices = bl_anchor_words, .fallback = "centre", .unit = "",                              \
+        .help = "where x stands in the width"                                                      \
+    }
+
+// Where the middle of the width stands for a sample at x.
+static inline double bl_averaging_centre(const bl_averaging *averaging, double x, double width) {
+    return averaging->anchor ? x + 0.5 * width : x;
+}
+
+// In a primitive's file, after `static double average(const block *, const bl_filter *filter,
+// double x, double width)`, which knows no anchor: the abilities of the signal, for its definition
+// as .functions = BL_PRIMITIVE_FUNCTIONS.
+#define BL_PRIMITIVE_ABILITIES(block)                                                              \
+    static double filtered(const void *parameters, const double at[BL_AXES],                       \
+                           const double width[BL_AXES]) {                                          \
+        const block *p = parameters;                                                               \
+        return average(p, bl_filter_at(p->averaging.filter),                                       \
+                       bl_averaging_centre(&p->averaging, at[0], width[0]), width[0]);             \
+    }                                                                                              \
+    static double value(const void *parameters, const double at[BL_AXES]) {                        \
+        const double width[BL_AXES] = {((const block *)parameters)->averaging.width};              \
+        return filtered(parameters, at, width);                                                    \
+    }
+#define BL_PRIMITIVE_FUNCTIONS                                                                     \
+    { .value = value, .filtered = filtered }
+
+// Names the definition of a primitive's file: BL_PRIMITIVE_DESCRIPTOR(step) = {...};
+#define BL_PRIMITIVE_DESCRIPTOR(stem)                                                              \
+    extern const bl_primitive bl_primitive_##stem;                                                 \
+    const bl_primitive bl_primitive_##stem
+
+#endif
