@@ -257,6 +257,26 @@ static void describe(const void *parameters, bl_facts *facts) {
     facts->far = 0x1p52;
 }
 
+// The text's cloud plane, in radians, a call a point.
+static float textbook(float x, float y, float z) {
+    (void)z;
+    float sum = 0, amplitude = 0.3f, x_phase = 0.9f, y_phase = 0.7f;
+    float across = 6.2831853f * 0.023f, up = 6.2831853f * 0.021f;
+    x += 13;
+    y += 96;
+    for (int i = 0; i < 5; i++) {
+        float first = amplitude * (0.5f + cosf(across * (x + x_phase)));
+        float second = amplitude * (0.5f + cosf(up * (y + y_phase)));
+        sum += first * second;
+        x_phase = 1.5707963f * 0.9f * cosf(up * y);
+        y_phase = 1.5707963f * 1.1f * cosf(across * x);
+        across *= 1.9f + (float)i * 0.1f;
+        up *= 2.2f - (float)i * 0.08f;
+        amplitude *= 0.707f;
+    }
+    return sum;
+}
+
 static const bl_parameter parameters[] = {
     BL_SEED_PARAMETER(gardner_parameters, seed, "the place; 0 is the text's"),
     {.key = "terms",
@@ -294,5 +314,6 @@ BL_NOISE_DESCRIPTOR(gardner_sum) = {
     .parameters_size = sizeof(gardner_parameters),
     .seed_offset = offsetof(gardner_parameters, seed),
     .describe = describe,
+    .textbook = textbook,
     .functions = {.row = row, .points = points, .value = value, .gradient = gradient},
 };

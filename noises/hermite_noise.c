@@ -23,6 +23,7 @@
 #include "noises/common_parameters.h"
 #include "noises/closed_forms.h"
 #include "noises/noise.h"
+#include "noises/textbook.h"
 #include "noises/separable.h"
 
 typedef struct hermite_parameters {
@@ -273,6 +274,29 @@ static void describe(const void *block, bl_facts *facts) {
     bl_lattice_describe(bound, 1, &p->lattice, facts);
 }
 
+// One value and three tangents a corner, as the sum is written.
+static float textbook(float x, float y, float z) {
+    int ix = bl_textbook_floor(x), iy = bl_textbook_floor(y), iz = bl_textbook_floor(z);
+    float fx = x - (float)ix, fy = y - (float)iy, fz = z - (float)iz, sum = 0;
+    for (int k = 0; k <= 1; k++)
+        for (int j = 0; j <= 1; j++)
+            for (int i = 0; i <= 1; i++) {
+                int index = bl_textbook_index(ix + i, iy + j, iz + k);
+                const float *tangent = &bl_textbook_data.tangents[3 * index];
+                const float d[3] = {fx - (float)i, fy - (float)j, fz - (float)k};
+                float h0[3], h1[3];
+                for (int a = 0; a < 3; a++) {
+                    float r = fabsf(d[a]);
+                    h0[a] = 1 - r * r * (3 - 2 * r);
+                    h1[a] = d[a] * (1 - r) * (1 - r);
+                }
+                sum += bl_textbook_data.values[index] * h0[0] * h0[1] * h0[2] +
+                       tangent[0] * h1[0] * h0[1] * h0[2] + tangent[1] * h0[0] * h1[1] * h0[2] +
+                       tangent[2] * h0[0] * h0[1] * h1[2];
+            }
+    return sum;
+}
+
 static const bl_parameter parameters[] = {
     BL_LATTICE_PARAMETERS(hermite_parameters, "the values and the tangents"), {.key = NULL}};
 
@@ -288,5 +312,6 @@ BL_NOISE_DESCRIPTOR(hermite_noise) = {
     .seed_offset = offsetof(hermite_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
+    .textbook = textbook,
     .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

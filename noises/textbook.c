@@ -5,6 +5,9 @@
 #include <pthread.h>
 
 #include "core/random.h"
+#include "noises/kernel.h"
+#include "noises/tile.h"
+#include "noises/wiener_weights.h"
 
 // peachey2003, p. 70: a permutation of 0..255. Data of the text, unchanged.
 // clang-format off
@@ -34,8 +37,19 @@ static double radial_catmull_rom(double r) {
     return r < 1 ? 1 + r * r * (-2.5 + 1.5 * r) : 2 + r * (-4 + r * (2.5 - 0.5 * r));
 }
 
-static void fill_tables(void) {
-    bl_random random = bl_random_seed(665, 0); // the seed of the text
+static void fill_tile(bl_random *random, float *tile, size_t count, bl_kernel kernel, int axes) {
+    // The variance of reading numbers of variance 1, at a random place.
+    double scale = pow(bl_kernel_correlation(kernel, 0), -0.5 * axes);
+    for (size_t i = 0; i < count; i += 64) {
+        double numbers[64];
+        bl_tile_numbers(random, numbers, 64);
+        for (size_t j = 0; j < 64; j++)
+            tile[i + j] = (float)(scale * numbers[j]);
+    }
+}
+
+void bl_textbook_refill(uint64_t seed) {
+    bl_random random = bl_random_seed(seed, 0);
     bl_textbook *data = &bl_textbook_data;
     for (int i = 0; i < BL_TEXTBOOK_SIZE; i++) {
         data->values[i] = (float)(1 - 2 * bl_random_unit(&random));
@@ -50,6 +64,21 @@ static void fill_tables(void) {
     }
     for (int i = 0; i <= 400; i++)
         data->kernel[i] = (float)radial_catmull_rom(sqrt(i / 100.0));
+    for (int i = 0; i < 3 * BL_TEXTBOOK_SIZE; i++)
+        data->tangents[i] = (float)(1 - 2 * bl_random_unit(&random));
+    bl_wiener_kernel wiener = bl_wiener_kernel_of(BL_WIENER_GAUSSIAN, 1);
+    for (int i = 0; i < 4; i++)
+        for (int j = 0; j < 4; j++)
+            data->inverse[i][j] = (float)wiener.inverse[i][j];
+    const size_t square = BL_TEXTBOOK_TILE * BL_TEXTBOOK_TILE;
+    const size_t cube = BL_TEXTBOOK_CUBE * BL_TEXTBOOK_CUBE * BL_TEXTBOOK_CUBE;
+    fill_tile(&random, data->bspline3, square, BL_KERNEL_BSPLINE3, 2);
+    fill_tile(&random, data->catmull_rom, square, BL_KERNEL_CATMULL_ROM, 2);
+    fill_tile(&random, data->bspline2, cube, BL_KERNEL_BSPLINE2, 3);
+}
+
+static void fill_tables(void) {
+    bl_textbook_refill(665); // the seed of the text
 }
 
 const bl_textbook *bl_textbook_tables(void) {

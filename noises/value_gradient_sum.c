@@ -23,6 +23,7 @@
 #include "noises/common_parameters.h"
 #include "noises/gradient_kernel.h"
 #include "noises/noise.h"
+#include "noises/textbook_loops.h"
 #include "noises/value_kernel.h"
 
 typedef struct sum_parameters {
@@ -145,6 +146,10 @@ static void describe(const void *block, bl_facts *facts) {
                         continuity, &p->lattice, facts);
 }
 
+static float textbook(float x, float y, float z) {
+    return 0.5f * bl_textbook_value(x, y, z) + bl_textbook_gradient(x, y, z);
+}
+
 static const bl_parameter parameters[] = {
     BL_LATTICE_PARAMETERS(sum_parameters, "the values and the gradients"),
     {.key = "value",
@@ -198,5 +203,6 @@ BL_NOISE_DESCRIPTOR(value_gradient_sum) = {
     .seed_offset = offsetof(sum_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
+    .textbook = textbook,
     .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };
