@@ -157,7 +157,7 @@ static float textbook(float x, float y, float z) {
     int ix = bl_textbook_floor(u), iy = bl_textbook_floor(v);
     textbook_weights(u - (float)ix, wx);
     textbook_weights(v - (float)iy, wy);
-    return bl_textbook_read(bl_textbook_data.bspline3, ix, iy, wx, wy);
+    return bl_textbook_read(bl_textbook_data.fourier, ix, iy, wx, wy);
 }
 
 BL_NOISE_DESCRIPTOR(fourier_synthesis) = {
@@ -176,6 +176,7 @@ BL_NOISE_DESCRIPTOR(fourier_synthesis) = {
     .validate = validate,
     .describe = describe,
     .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_TILE_SETTINGS,
     .functions = {.row = bl_tile_noise_row,
                   .points = bl_tile_noise_points,
                   .value = bl_tile_noise_value,

@@ -122,6 +122,7 @@ BL_NOISE_DESCRIPTOR(fractional_brownian_motion) = {
     .describe = bl_octaves_describe,
     .has_closed_form = bl_octaves_has_closed_form,
     .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_OCTAVES ",seeds=same",
     .functions = {BL_OCTAVES_FUNCTIONS, .covariance = bl_octaves_covariance,
                   .density = bl_octaves_density, .build = build},
 };

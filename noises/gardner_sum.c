@@ -315,5 +315,6 @@ BL_NOISE_DESCRIPTOR(gardner_sum) = {
     .seed_offset = offsetof(gardner_parameters, seed),
     .describe = describe,
     .textbook = textbook,
+    .textbook_settings = "",
     .functions = {.row = row, .points = points, .value = value, .gradient = gradient},
 };

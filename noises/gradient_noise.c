@@ -152,5 +152,6 @@ BL_NOISE_DESCRIPTOR(gradient_noise) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = bl_textbook_gradient,
+    .textbook_settings = BL_TEXTBOOK_GRADIENTS,
     .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

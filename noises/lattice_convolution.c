@@ -36,7 +36,7 @@
 #include "noises/noise.h"
 #include "noises/radial_kernel.h"
 #include "noises/radial_row.h"
-#include "noises/textbook.h"
+#include "noises/textbook_loops.h"
 
 typedef struct convolution_parameters {
     bl_lattice_settings lattice;
@@ -273,15 +273,7 @@ static void row(const void *block, const double start[BL_AXES], const double ste
 
 // --- the text's own loops -----------------------------------------------------------------------
 
-static float textbook_kernel(const bl_textbook *tables, float squared) {
-    if (squared >= 4)
-        return 0;
-    int entry = bl_textbook_floor(squared * 100 + 0.5f);
-    return entry > 400 ? 0 : tables->kernel[entry];
-}
-
 static float textbook(float x, float y, float z) {
-    const bl_textbook *tables = bl_textbook_tables();
     int cell_x = bl_textbook_floor(x), cell_y = bl_textbook_floor(y), cell_z = bl_textbook_floor(z);
     float fx = x - (float)cell_x, fy = y - (float)cell_y, fz = z - (float)cell_z, sum = 0;
     for (int k = -1; k <= 2; k++) {
@@ -291,7 +283,7 @@ static float textbook(float x, float y, float z) {
             for (int i = -1; i <= 2; i++) {
                 float dx = (float)i - fx;
                 int entry = bl_textbook_index(cell_x + i, cell_y + j, cell_z + k);
-                sum += tables->values[entry] * textbook_kernel(tables, dx * dx + dy * dy + dz * dz);
+                sum += bl_textbook_data.values[entry] * bl_textbook_kernel(dx * dx + dy * dy + dz * dz);
             }
         }
     }
@@ -336,5 +328,6 @@ BL_NOISE_DESCRIPTOR(lattice_convolution) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_VALUES ",kernel=table:100",
     .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

@@ -101,5 +101,6 @@ BL_NOISE_DESCRIPTOR(ridged_sum) = {
     .seed_offset = offsetof(ridged_parameters, sum.seed),
     .describe = bl_octaves_describe,
     .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_OCTAVES,
     .functions = {BL_OCTAVES_FUNCTIONS, .build = build},
 };

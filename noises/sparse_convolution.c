@@ -51,7 +51,7 @@
 #include "noises/sparse_impulses.h"
 #include "noises/sparse_points.h"
 #include "noises/sparse_row.h"
-#include "noises/textbook.h"
+#include "noises/textbook_loops.h"
 
 typedef struct sparse_parameters {
     bl_lattice_settings lattice;
@@ -257,15 +257,7 @@ static void row(const void *block, const double start[BL_AXES], const double ste
 
 // --- the text's own loops -----------------------------------------------------------------------
 
-static float textbook_kernel(const bl_textbook *tables, float squared) {
-    if (squared >= 4)
-        return 0;
-    int entry = bl_textbook_floor(squared * 100 + 0.5f);
-    return entry > 400 ? 0 : tables->kernel[entry];
-}
-
 static float textbook(float x, float y, float z) {
-    const bl_textbook *tables = bl_textbook_tables();
     int cell_x = bl_textbook_floor(x), cell_y = bl_textbook_floor(y), cell_z = bl_textbook_floor(z);
     float fx = x - (float)cell_x, fy = y - (float)cell_y, fz = z - (float)cell_z, sum = 0;
     for (int i = -2; i <= 2; i++)
@@ -273,10 +265,10 @@ static float textbook(float x, float y, float z) {
             for (int k = -2; k <= 2; k++) {
                 int entry = bl_textbook_index(cell_x + i, cell_y + j, cell_z + k);
                 for (int n = 0; n < 3; n++, entry = (entry + 1) & 255) {
-                    const float *one = tables->impulses + 4 * entry;
+                    const float *one = bl_textbook_data.impulses + 4 * entry;
                     float dx = fx - ((float)i + one[0]), dy = fy - ((float)j + one[1]),
                           dz = fz - ((float)k + one[2]);
-                    sum += textbook_kernel(tables, dx * dx + dy * dy + dz * dz) * one[3];
+                    sum += bl_textbook_kernel(dx * dx + dy * dy + dz * dz) * one[3];
                 }
             }
     return sum / 3;

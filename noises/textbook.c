@@ -5,7 +5,8 @@
 #include <pthread.h>
 
 #include "core/random.h"
-#include "noises/kernel.h"
+#include "noises/lattice.h"
+#include "noises/noise.h"
 #include "noises/tile.h"
 #include "noises/wiener_weights.h"
 
@@ -37,48 +38,68 @@ static double radial_catmull_rom(double r) {
     return r < 1 ? 1 + r * r * (-2.5 + 1.5 * r) : 2 + r * (-4 + r * (2.5 - 0.5 * r));
 }
 
-static void fill_tile(bl_random *random, float *tile, size_t count, bl_kernel kernel, int axes) {
-    // The variance of reading numbers of variance 1, at a random place.
-    double scale = pow(bl_kernel_correlation(kernel, 0), -0.5 * axes);
-    for (size_t i = 0; i < count; i += 64) {
-        double numbers[64];
-        bl_tile_numbers(random, numbers, 64);
-        for (size_t j = 0; j < 64; j++)
-            tile[i + j] = (float)(scale * numbers[j]);
+// The words of all entries of lattice=perm256.
+typedef uint32_t entry_words[BL_TEXTBOOK_SIZE];
+
+static void draw_words(uint64_t seed, entry_words words[BL_COMPONENTS]) {
+    bl_lattice lattice = bl_lattice_of(seed, BL_LATTICE_PERM256);
+    for (unsigned component = 0; component < BL_COMPONENTS; component++)
+        bl_perm256_words(&lattice, component, words[component]);
+}
+
+void bl_textbook_draw(bl_textbook *tables, uint64_t seed) {
+    entry_words of_value[BL_COMPONENTS], of_gradient[BL_COMPONENTS];
+    draw_words(bl_stream(seed, 16), of_value);
+    draw_words(bl_stream(seed, 17), of_gradient);
+    bl_random random = bl_random_seed(seed, 0);
+    for (int i = 0; i < BL_TEXTBOOK_SIZE; i++) {
+        double gradient[3];
+        float number[BL_COMPONENTS];
+        bl_lattice_gradient(BL_GRADIENTS_SPHERE, of_gradient[0][i], gradient);
+        for (unsigned component = 0; component < BL_COMPONENTS; component++)
+            number[component] =
+                bl_lattice_value(of_value[component][i]) * (float)BL_LATTICE_UNIT;
+        tables->values[i] = number[0];
+        for (int c = 0; c < 3; c++) {
+            tables->tangents[3 * i + c] = number[1 + c];
+            tables->gradients[3 * i + c] = (float)gradient[c];
+            tables->places[3 * i + c] = 0.5f + 0.5f * number[c];
+            tables->impulses[4 * i + c] = (float)bl_random_unit(&random);
+        }
+        tables->impulses[4 * i + 3] = (float)(1 - 2 * bl_random_unit(&random));
     }
 }
 
-void bl_textbook_refill(uint64_t seed) {
-    bl_random random = bl_random_seed(seed, 0);
+// The numbers of a noise whose parameter block begins with its tile.
+static void copy_tile(const char *text, float *numbers, size_t count) {
+    bl_signal *signal;
+    bl_message message;
+    const bl_tile *tile = NULL;
+    for (size_t i = 0; i < count; i++)
+        numbers[i] = NAN;
+    if (bl_noise_open(text, BL_ISA_BASELINE, &signal, &message) != BL_OK)
+        return;
+    tile = signal->parameters;
+    if (bl_tile_count(tile->size) == count)
+        memcpy(numbers, tile->number, count * sizeof *numbers);
+    bl_signal_free(signal);
+}
+
+static void fill_tables(void) {
+    const size_t square = BL_TEXTBOOK_TILE * BL_TEXTBOOK_TILE;
     bl_textbook *data = &bl_textbook_data;
-    for (int i = 0; i < BL_TEXTBOOK_SIZE; i++) {
-        data->values[i] = (float)(1 - 2 * bl_random_unit(&random));
-        double z = 1 - 2 * bl_random_unit(&random);
-        double longitude = 2 * acos(-1) * bl_random_unit(&random);
-        data->gradients[3 * i] = (float)(sqrt(1 - z * z) * cos(longitude));
-        data->gradients[3 * i + 1] = (float)(sqrt(1 - z * z) * sin(longitude));
-        data->gradients[3 * i + 2] = (float)z;
-        for (int c = 0; c < 3; c++)
-            data->impulses[4 * i + c] = (float)bl_random_unit(&random);
-        data->impulses[4 * i + 3] = (float)(1 - 2 * bl_random_unit(&random));
-    }
+    bl_textbook_draw(data, BL_TEXTBOOK_SEED);
     for (int i = 0; i <= 400; i++)
         data->kernel[i] = (float)radial_catmull_rom(sqrt(i / 100.0));
-    for (int i = 0; i < 3 * BL_TEXTBOOK_SIZE; i++)
-        data->tangents[i] = (float)(1 - 2 * bl_random_unit(&random));
     bl_wiener_kernel wiener = bl_wiener_kernel_of(BL_WIENER_GAUSSIAN, 1);
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
             data->inverse[i][j] = (float)wiener.inverse[i][j];
-    const size_t square = BL_TEXTBOOK_TILE * BL_TEXTBOOK_TILE;
-    const size_t cube = BL_TEXTBOOK_CUBE * BL_TEXTBOOK_CUBE * BL_TEXTBOOK_CUBE;
-    fill_tile(&random, data->bspline3, square, BL_KERNEL_BSPLINE3, 2);
-    fill_tile(&random, data->catmull_rom, square, BL_KERNEL_CATMULL_ROM, 2);
-    fill_tile(&random, data->bspline2, cube, BL_KERNEL_BSPLINE2, 3);
-}
-
-static void fill_tables(void) {
-    bl_textbook_refill(665); // the seed of the text
+    copy_tile("fourier:" BL_TEXTBOOK_TILE_SETTINGS, data->fourier, square);
+    copy_tile("midpoint:" BL_TEXTBOOK_TILE_SETTINGS, data->midpoint, square);
+    copy_tile("additions:" BL_TEXTBOOK_TILE_SETTINGS, data->additions, square);
+    copy_tile("wavelet:" BL_TEXTBOOK_TILE_SETTINGS, data->wavelet,
+              BL_TEXTBOOK_CUBE * BL_TEXTBOOK_CUBE * BL_TEXTBOOK_CUBE);
 }
 
 const bl_textbook *bl_textbook_tables(void) {

@@ -88,13 +88,20 @@ BL_PLAIN void bl_textbook_catmull_rom_weights(float t, float w[4]) {
     w[3] = 0.5f * t * t * (t - 1);
 }
 
-BL_PLAIN float bl_textbook_catmull_rom_tile(float x, float y, float z) {
-    (void)z;
+BL_PLAIN float bl_textbook_catmull_rom_tile(const float *tile, float x, float y) {
     float u = 4 * x, v = 4 * y, wx[4], wy[4];
     int ix = bl_textbook_floor(u), iy = bl_textbook_floor(v);
     bl_textbook_catmull_rom_weights(u - (float)ix, wx);
     bl_textbook_catmull_rom_weights(v - (float)iy, wy);
-    return bl_textbook_read(bl_textbook_data.catmull_rom, ix, iy, wx, wy);
+    return bl_textbook_read(tile, ix, iy, wx, wy);
+}
+
+// The text's table of the radial kernel, by the nearest entry.
+BL_PLAIN float bl_textbook_kernel(float squared) {
+    if (squared >= 4)
+        return 0;
+    int entry = bl_textbook_floor(squared * 100 + 0.5f);
+    return entry > 400 ? 0 : bl_textbook_data.kernel[entry];
 }
 
 // A generator a cell, for the loops of impulses, and Poisson numbers by Knuth's products of uniform

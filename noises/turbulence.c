@@ -75,5 +75,6 @@ BL_NOISE_DESCRIPTOR(turbulence) = {
     .seed_offset = offsetof(turbulence_parameters, sum.seed),
     .describe = bl_octaves_describe,
     .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_OCTAVES,
     .functions = {BL_OCTAVES_FUNCTIONS, .build = build},
 };

@@ -32,6 +32,7 @@ typedef struct sum_parameters {
     uint32_t interp, fade, gradients;
 } sum_parameters;
 
+// The tables of noises/textbook.h are drawn from the same streams.
 enum { VALUE_STREAM = 16, GRADIENT_STREAM = 17, CHUNK = 2048 };
 
 static bl_lattice_settings lattice_of(const sum_parameters *p, uint64_t stream) {
@@ -204,5 +205,6 @@ BL_NOISE_DESCRIPTOR(value_gradient_sum) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_PERM256,
     .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

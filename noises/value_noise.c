@@ -135,5 +135,6 @@ BL_NOISE_DESCRIPTOR(value_noise) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = bl_textbook_value,
+    .textbook_settings = BL_TEXTBOOK_VALUES,
     .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

@@ -117,7 +117,7 @@ static float textbook(float x, float y, float z) {
                 int cy = (middle[1] + j) & (BL_TEXTBOOK_CUBE - 1);
                 int cz = (middle[2] + k) & (BL_TEXTBOOK_CUBE - 1);
                 int entry = (cz * BL_TEXTBOOK_CUBE + cy) * BL_TEXTBOOK_CUBE + cx;
-                sum += w[0][i + 1] * w[1][j + 1] * w[2][k + 1] * bl_textbook_data.bspline2[entry];
+                sum += w[0][i + 1] * w[1][j + 1] * w[2][k + 1] * bl_textbook_data.wavelet[entry];
             }
     return sum;
 }
@@ -136,5 +136,6 @@ BL_NOISE_DESCRIPTOR(wavelet_noise) = {
     .validate = validate,
     .describe = describe,
     .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_TILE_SETTINGS,
     .functions = {BL_TILE_FUNCTIONS, .build = build},
 };

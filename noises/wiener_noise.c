@@ -329,5 +329,6 @@ BL_NOISE_DESCRIPTOR(wiener_noise) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_VALUES,
     .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM, .build = build},
 };
