@@ -495,7 +495,7 @@ static void describe(const void *block, bl_facts *facts) {
 
 // One point a cell: the 27 cells around, and those beyond only if they can have a nearer one.
 static float textbook_nearest(const int cell[3], const float fraction[3], int from, int to,
-                              float nearest) {
+                              float least) {
     for (int k = -to; k <= to; k++)
         for (int j = -to; j <= to; j++)
             for (int i = -to; i <= to; i++) {
@@ -503,12 +503,13 @@ static float textbook_nearest(const int cell[3], const float fraction[3], int fr
                     continue;
                 int index = bl_textbook_index(cell[0] + i, cell[1] + j, cell[2] + k);
                 const float *place = &bl_textbook_data.places[3 * index];
-                float dx = (float)i + place[0] - fraction[0], dy = (float)j + place[1] - fraction[1],
+                float dx = (float)i + place[0] - fraction[0],
+                      dy = (float)j + place[1] - fraction[1],
                       dz = (float)k + place[2] - fraction[2];
                 float square = dx * dx + dy * dy + dz * dz;
-                nearest = square < nearest ? square : nearest;
+                least = square < least ? square : least;
             }
-    return nearest;
+    return least;
 }
 
 static float textbook(float x, float y, float z) {
@@ -520,10 +521,10 @@ static float textbook(float x, float y, float z) {
         fraction[a] = at[a] - (float)cell[a];
         edge = smaller(edge, smaller(fraction[a], 1 - fraction[a]));
     }
-    float nearest = textbook_nearest(cell, fraction, 0, 1, INFINITY);
-    if (nearest > (1 + edge) * (1 + edge))
-        nearest = textbook_nearest(cell, fraction, 2, 2, nearest);
-    return sqrtf(nearest);
+    float least = textbook_nearest(cell, fraction, 0, 1, INFINITY);
+    if (least > (1 + edge) * (1 + edge))
+        least = textbook_nearest(cell, fraction, 2, 2, least);
+    return sqrtf(least);
 }
 
 static const bl_parameter parameters[] = {

@@ -9,11 +9,14 @@
 // Parameters
 //   seed     64 bits, chooses values and tangents
 //   lattice  hash, or the text's perm256, which repeats after 256 cells (noises/lattice.h)
+//   component, period   noises/common_parameters.h; with a period no closed form
 //
 // v_c and the three tangent components g_ca are independent and uniform in (-1, 1). At a lattice
 // point the noise is v_c and its gradient g_c. Units: coordinates in cells. C1 across every face:
 // on a face both sides blend the same corners, and so do their slopes across it. Bound:
-// noises/bounds.c. Band, mean, variance: exact, noises/closed_forms.h.
+// noises/bounds.c. Mean 0, variance 0.147156463; these and the band are exact,
+// noises/closed_forms.h.
+// NaN, infinity and coordinates beyond 2^62 give NaN; the fraction is lost from 2^52 on.
 //
 // Source: peachey2003, p. 77, which names Ward (1991) and prints no code. Deviations: Ward's
 // program was not at hand; this is the tensor form of cubic Hermite interpolation with the mixed

@@ -12,6 +12,7 @@
 //   impulses  N, 1 to 64 impulses a cell; the sum is divided by N, as in the text, so the standard
 //             deviation falls as 1/sqrt(N)
 //   lattice   hash: no period; perm256: the text's index of 256 entries, period 256
+//   component, period   noises/common_parameters.h; with a period no closed form
 //   count     fixed: N in every cell, as in the text; poisson: a true Poisson number of mean N
 //             (impulses.h). Both have the same covariance
 //   kernel    exact: the radial Catmull-Rom kernel (radial_kernel.h); table:R: the text's table of
@@ -24,7 +25,8 @@
 // poisson by the largest count that occurs; not [-1, 1].
 // Band: that of the kernel's transform: low pass, most of it below 1 cycle a cell, and a tail that
 // falls as f^-4 in amplitude as for every C1 radial kernel in space; DC is not 0.
-// The spectrum is E[a^2]/N |K^|^2, of variance E[a^2]/N int K^2, E[a^2] = (1 - 2^-40)/3.
+// The spectrum is E[a^2]/N |K^|^2, of variance E[a^2]/N int K^2, E[a^2] = (1 - 2^-40)/3:
+// 0.0603939328 with the default settings.
 // Known defects: a fixed number of impulses in a cell is not Poisson, though the spectrum is the
 // same since amplitudes are independent with mean 0; fourth moments tell (t-impulses). With
 // kernel=table the noise is discontinuous.
@@ -32,8 +34,9 @@
 // perm256 every index has N entries of its own, where the text lets impulse k+1 of entry h be
 // impulse k of entry h+1, so that cells share impulses.
 //
-// Float results are within 1e-6 of the double reference at any coordinate below 2^62 (N = 3); beyond, for
-// NaN and for infinity the noise is NaN, and from 2^52 on the fraction within a cell is lost.
+// Float results are within 1e-6 of the double reference at any coordinate below 2^62 (N = 3);
+// beyond, for NaN and for infinity the noise is NaN, and from 2^52 on the fraction within a cell is
+// lost.
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>

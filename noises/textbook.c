@@ -57,9 +57,9 @@ void bl_textbook_draw(bl_textbook *tables, uint64_t seed) {
         float number[BL_COMPONENTS];
         bl_lattice_gradient(BL_GRADIENTS_SPHERE, of_gradient[0][i], gradient);
         for (unsigned component = 0; component < BL_COMPONENTS; component++)
-            number[component] =
-                bl_lattice_value(of_value[component][i]) * (float)BL_LATTICE_UNIT;
+            number[component] = bl_lattice_value(of_value[component][i]) * (float)BL_LATTICE_UNIT;
         tables->values[i] = number[0];
+        tables->edges[i] = (unsigned char)(of_gradient[0][i] >> 28);
         for (int c = 0; c < 3; c++) {
             tables->tangents[3 * i + c] = number[1 + c];
             tables->gradients[3 * i + c] = (float)gradient[c];

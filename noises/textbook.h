@@ -11,7 +11,7 @@
 // very field of their noise with the settings that its descriptor names (`textbook_settings`), and
 // t-textbook holds them to it. The others draw otherwise and have its statistics:
 //   scnoise       the text lets cells share impulses
-//   perlin2002    picks a gradient by the index itself; simplex does so too
+//   simplex       picks a gradient by the index itself
 //   gabor, spot   a generator a cell
 //   white         a hash of the 32 bits of a float
 //
@@ -38,10 +38,11 @@ typedef struct bl_textbook {
     float values[BL_TEXTBOOK_SIZE];       // in (-1, 1), as are ...
     float tangents[3 * BL_TEXTBOOK_SIZE]; // ... three further numbers
     float gradients[3 * BL_TEXTBOOK_SIZE];
-    float places[3 * BL_TEXTBOOK_SIZE];   // in (0, 1), from the value and two of the tangent
-    float impulses[4 * BL_TEXTBOOK_SIZE]; // x, y, z in [0, 1) and the amplitude
-    float kernel[401];                    // radial Catmull-Rom by squared distance, 100 a unit
-    float inverse[4][4];                  // of the covariances exp(-d^2/2) of four points on a line
+    unsigned char edges[BL_TEXTBOOK_SIZE]; // 0 to 15
+    float places[3 * BL_TEXTBOOK_SIZE];    // in (0, 1), from the value and two of the tangent
+    float impulses[4 * BL_TEXTBOOK_SIZE];  // x, y, z in [0, 1) and the amplitude
+    float kernel[401];                     // radial Catmull-Rom by squared distance, 100 a unit
+    float inverse[4][4]; // of the covariances exp(-d^2/2) of four points on a line
     // Tiles, x runs fastest.
     float fourier[BL_TEXTBOOK_TILE * BL_TEXTBOOK_TILE];
     float midpoint[BL_TEXTBOOK_TILE * BL_TEXTBOOK_TILE];
