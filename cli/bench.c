@@ -161,8 +161,8 @@ static void report_text(bl_call *call, const bl_bench *bench) {
         call->out,
         "%s; compiler %s\none thread (psd: %d); least and median of %d rounds by turns; error "
         "against the double\nreference around 0, 1e6 and 1e9; yardstick: the plain loop of the "
-        "textbook, or the reference in\ndouble point by point, at the same places; ratio: how "
-        "much\nfaster (psd: how many bare transforms it costs); per "
+        "textbook, or for\nother settings than the default the reference in double, at the same "
+        "places; ratio: how much\nfaster (psd: how many bare transforms it costs); per "
         "cell: samples in a lattice cell (points:\n%d over a cube of %d cells a side, hardly two "
         "in one); floor: the ratio asked for, which\nonly --check makes the exit status\n\n",
         processor, __VERSION__, bl_call_threads(call), bench->rounds, BL_SCATTERED,
@@ -260,8 +260,8 @@ const bl_verb bl_verb_bench = {
     .summary = "throughput, ns a sample, against what is installed",
     .text =
         "Times rows of samples along each axis (20 and 2 samples a cell) and scattered points, "
-        "by turns with a plain loop at the same places (the textbook's, or the reference in double "
-        "where there is none), then the other "
+        "by turns with a plain loop at the same places (the textbook's, or for other settings than "
+        "the default the reference in double), then the other "
         "libraries that are installed (stb_perlin, libnoise), then a radial spectrum of 4096 x "
         "4096 samples against the bare transform. With words, those noises alone and no "
         "spectrum.",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The benchmark of the noises: rows along each axis and scattered points, against plain loops
-// (the textbook's, or the reference where there is none) at the same places, and the error of the
-// very kernels that were timed.
+// (the textbook's, or for other settings than the default the reference) at the same places, and
+// the error of the very kernels that were timed.
 #include <math.h>
 #include <string.h>
 

@@ -11,6 +11,7 @@
 #include "cli/plain.h"
 #include "cli/verb.h"
 #include "cli/words.h"
+#include "core/continuity.h"
 #include "core/grammar.h"
 #include "filters/primitive.h"
 #include "reports/experiment.h"
@@ -18,12 +19,6 @@
 #include "textures/texture.h"
 
 static const char *const kinds[] = {"seed", "integer", "real", "choice", "list", "text", "signal"};
-
-static const char *continuity_word(int continuity) {
-    static const char *const words[] = {"discontinuous", "C0", "C1", "C2", "C3", "C4"};
-    int last = (int)(sizeof words / sizeof *words) - 1;
-    return words[continuity < -1 ? 0 : continuity + 1 > last ? last : continuity + 1];
-}
 
 static json_t *parameters_json(const bl_parameter *parameter) {
     json_t *list = json_array();
@@ -81,6 +76,7 @@ static void print_parameters(FILE *out, const bl_parameter *parameter) {
 static void facts_json(json_t *object, const bl_signal *signal) {
     const bl_facts *facts = &signal->facts;
     double bound[2] = {facts->lower, facts->upper}, band[2] = {facts->band_from, facts->band_to};
+    char class[16];
     json_t *list = json_object();
     bl_json_set_numbers(list, "bound", isfinite(bound[0]) && isfinite(bound[1]) ? bound : NULL, 2);
     bl_json_set_text(list, "bound_proof", facts->bound_proof);
@@ -88,7 +84,9 @@ static void facts_json(json_t *object, const bl_signal *signal) {
     bl_json_set_number(list, "variance", facts->variance);
     bl_json_set_numbers(list, "band_cycles_per_unit", isfinite(band[0]) ? band : NULL, 2);
     bl_json_set_number(list, "leak_db", facts->leak_db);
-    bl_json_set_text(list, "continuity", continuity_word(facts->continuity));
+    bl_json_set_text(
+        list, "continuity",
+        facts->continuity < -1 ? NULL : bl_continuity_text(facts->continuity, class, sizeof class));
     bl_json_set_numbers(list, "period", isnan(facts->period[0]) ? NULL : facts->period,
                         signal->dimensions);
     bl_json_set_number(list, "far", facts->far);
@@ -143,9 +141,9 @@ static void print_facts(FILE *out, const bl_signal *signal) {
         fprintf(out, "  %-12s no claim: there is no variance\n", "band");
     else
         fprintf(out, "  %-12s no claim\n", "band");
-    int stated = facts->continuity >= -1;
+    char class[16];
     fprintf(out, "  %-12s %s\n", "continuity",
-            stated ? continuity_word(facts->continuity) : "not stated");
+            bl_continuity_text(facts->continuity, class, sizeof class));
     print_period(out, facts->period, signal->dimensions);
     print_fact(out, "far", facts->far, " units: beyond it the fraction within a cell is lost");
     fprintf(out, "  %-12s %s\n", "spectrum",

@@ -49,6 +49,7 @@
 // Deviations: there the number of points of a cell is drawn from a Poisson distribution, which
 // hides the lattice and leaves no bound; here it is fixed.
 #include <stddef.h>
+#include <stdlib.h>
 
 #include "noises/closed_forms.h"
 #include "noises/common_parameters.h"
@@ -492,6 +493,40 @@ static void describe(const void *block, bl_facts *facts) {
     facts->lower = 0;
 }
 
+// One point a cell: the 27 cells around, and those beyond only if they can have a nearer one.
+static float textbook_nearest(const int cell[3], const float fraction[3], int from, int to,
+                              float least) {
+    for (int k = -to; k <= to; k++)
+        for (int j = -to; j <= to; j++)
+            for (int i = -to; i <= to; i++) {
+                if (abs(i) < from && abs(j) < from && abs(k) < from)
+                    continue;
+                int index = bl_textbook_index(cell[0] + i, cell[1] + j, cell[2] + k);
+                const float *place = &bl_textbook_data.places[3 * index];
+                float dx = (float)i + place[0] - fraction[0],
+                      dy = (float)j + place[1] - fraction[1],
+                      dz = (float)k + place[2] - fraction[2];
+                float square = dx * dx + dy * dy + dz * dz;
+                least = square < least ? square : least;
+            }
+    return least;
+}
+
+static float textbook(float x, float y, float z) {
+    const float at[3] = {x, y, z};
+    int cell[3];
+    float fraction[3], edge = 1;
+    for (int a = 0; a < 3; a++) {
+        cell[a] = bl_textbook_floor(at[a]);
+        fraction[a] = at[a] - (float)cell[a];
+        edge = smaller(edge, smaller(fraction[a], 1 - fraction[a]));
+    }
+    float least = textbook_nearest(cell, fraction, 0, 1, INFINITY);
+    if (least > (1 + edge) * (1 + edge))
+        least = textbook_nearest(cell, fraction, 2, 2, least);
+    return sqrtf(least);
+}
+
 static const bl_parameter parameters[] = {
     BL_LATTICE_PARAMETERS(cellular_parameters, "the places of the feature points"),
     BL_DIMENSIONS_PARAMETER(cellular_parameters, 2, 3, "3"),
@@ -531,5 +566,7 @@ BL_NOISE_DESCRIPTOR(cellular_noise) = {
     .seed_offset = offsetof(cellular_parameters, lattice.seed),
     .dimensions_of = dimensions_of,
     .describe = describe,
+    .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_VALUES,
     .functions = {.row = row, .points = points, .value = value, .gradient = gradient},
 };

@@ -49,6 +49,7 @@
 
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
+#include "noises/textbook_loops.h"
 #include "noises/synthesis.h"
 #include "noises/tile_points.h"
 
@@ -141,6 +142,24 @@ static const bl_parameter parameters[] = {
     {.key = NULL}};
 #undef AT
 
+// The tile, read by the four weights of the cubic B-spline along each axis.
+static void textbook_weights(float t, float w[4]) {
+    float rest = 1 - t;
+    w[0] = rest * rest * rest / 6;
+    w[1] = (4 - 6 * t * t + 3 * t * t * t) / 6;
+    w[2] = (4 - 6 * rest * rest + 3 * rest * rest * rest) / 6;
+    w[3] = t * t * t / 6;
+}
+
+static float textbook(float x, float y, float z) {
+    (void)z;
+    float u = 4 * x, v = 4 * y, wx[4], wy[4];
+    int ix = bl_textbook_floor(u), iy = bl_textbook_floor(v);
+    textbook_weights(u - (float)ix, wx);
+    textbook_weights(v - (float)iy, wy);
+    return bl_textbook_read(bl_textbook_data.fourier, ix, iy, wx, wy);
+}
+
 BL_NOISE_DESCRIPTOR(fourier_synthesis) = {
     .name = "fourier",
     .title = "spectral synthesis",
@@ -156,6 +175,8 @@ BL_NOISE_DESCRIPTOR(fourier_synthesis) = {
     .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,
+    .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_TILE_SETTINGS,
     .functions = {.row = bl_tile_noise_row,
                   .points = bl_tile_noise_points,
                   .value = bl_tile_noise_value,

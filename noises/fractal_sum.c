@@ -34,6 +34,7 @@
 
 #include "noises/noise.h"
 #include "noises/octaves_kernel.h"
+#include "noises/textbook_loops.h"
 
 typedef struct fractal_parameters {
     bl_octaves_settings sum;
@@ -51,6 +52,13 @@ static const bl_parameter parameters[] = {BL_OCTAVES_PARAMETERS(fractal_paramete
                                           BL_OCTAVES_SPAN_PARAMETERS(fractal_parameters),
                                           {.key = NULL}};
 
+static float textbook(float x, float y, float z) {
+    float sum = 0;
+    for (float f = 1; f < 16; f *= 2)
+        sum += bl_textbook_gradient(x * f, y * f, z * f) / f;
+    return sum;
+}
+
 BL_NOISE_DESCRIPTOR(fractal_sum) = {
     .name = "fractalsum",
     .title = "fractal sum",
@@ -64,6 +72,8 @@ BL_NOISE_DESCRIPTOR(fractal_sum) = {
     .seed_offset = offsetof(fractal_parameters, sum.seed),
     .describe = bl_octaves_describe,
     .has_closed_form = bl_octaves_has_closed_form,
+    .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_OCTAVES,
     .functions = {BL_OCTAVES_FUNCTIONS, .covariance = bl_octaves_covariance,
                   .density = bl_octaves_density, .build = build},
 };

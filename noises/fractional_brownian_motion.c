@@ -40,6 +40,7 @@
 
 #include "noises/noise.h"
 #include "noises/octaves_kernel.h"
+#include "noises/textbook_loops.h"
 
 typedef struct fbm_parameters {
     bl_octaves_settings sum;
@@ -95,6 +96,18 @@ static const bl_parameter parameters[] = {
      .help = "whether octaves are turned at random"},
     {.key = NULL}};
 
+static float textbook(float x, float y, float z) {
+    float sum = 0, amplitude = 1;
+    for (int i = 0; i < 4; i++) {
+        sum += amplitude * bl_textbook_gradient(x, y, z);
+        amplitude *= 0.5f;
+        x *= 2;
+        y *= 2;
+        z *= 2;
+    }
+    return sum;
+}
+
 BL_NOISE_DESCRIPTOR(fractional_brownian_motion) = {
     .name = "fbm",
     .title = "fractional Brownian motion",
@@ -108,6 +121,8 @@ BL_NOISE_DESCRIPTOR(fractional_brownian_motion) = {
     .seed_offset = offsetof(fbm_parameters, sum.seed),
     .describe = bl_octaves_describe,
     .has_closed_form = bl_octaves_has_closed_form,
+    .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_OCTAVES ",seeds=same",
     .functions = {BL_OCTAVES_FUNCTIONS, .covariance = bl_octaves_covariance,
                   .density = bl_octaves_density, .build = build},
 };

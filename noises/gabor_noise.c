@@ -57,6 +57,7 @@
 #include "noises/impulses.h"
 #include "noises/noise.h"
 #include "noises/separable.h"
+#include "noises/textbook_loops.h"
 
 typedef struct gabor_parameters {
     bl_lattice_settings lattice;
@@ -270,27 +271,20 @@ static void row(const void *block, const double start[BL_AXES], const double ste
 
 // --- the plain loop -----------------------------------------------------------------------------
 
-// A generator a cell, and Knuth's Poisson numbers: products of uniform numbers down to e^-8.
-static float textbook_uniform(uint32_t *state) {
-    *state = *state * 1664525u + 1013904223u;
-    return (float)(*state >> 8) * 0x1p-24f;
-}
-
+// A generator a cell: eight impulses a cell on average.
 static float textbook(float x, float y, float z) {
     (void)z;
     int cell_x = bl_textbook_floor(x), cell_y = bl_textbook_floor(y);
     float fx = x - (float)cell_x, fy = y - (float)cell_y, sum = 0;
     for (int i = -1; i <= 1; i++)
         for (int j = -1; j <= 1; j++) {
-            uint32_t state = (uint32_t)(cell_x + i) * 0x9E3779B1u ^ (uint32_t)(cell_y + j) * 65537u;
-            int count = -1;
-            for (float product = 1; product > 0.00033546263f; count++)
-                product *= textbook_uniform(&state);
+            uint32_t state = bl_textbook_cell(cell_x + i, cell_y + j);
+            int count = bl_textbook_poisson(&state, 0.00033546263f); // e^-8
             for (int n = 0; n < count; n++) {
-                float dx = fx - ((float)i + textbook_uniform(&state));
-                float dy = fy - ((float)j + textbook_uniform(&state));
-                float angle = 6.2831853f * textbook_uniform(&state);
-                float phase = 6.2831853f * textbook_uniform(&state);
+                float dx = fx - ((float)i + bl_textbook_uniform(&state));
+                float dy = fy - ((float)j + bl_textbook_uniform(&state));
+                float angle = 6.2831853f * bl_textbook_uniform(&state);
+                float phase = 6.2831853f * bl_textbook_uniform(&state);
                 float square = dx * dx + dy * dy;
                 if (square < 1)
                     sum += expf(-3.1415927f * square) *

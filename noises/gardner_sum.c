@@ -25,7 +25,7 @@
 // a_i is a wave in x whose frequency u_i is no sum of harmonics of the u_{i-1} within b_i and their
 // like in y at once: u_2 = 2 u_1, but v_2 = 2.12 v_1.
 // Variance, band: not stated; phases that wave make sidebands beyond the nominal frequencies, at
-// sums with multiples of u_{i-1} and v_{i-1}. All derivatives exist (class 99 stands for it).
+// sums with multiples of u_{i-1} and v_{i-1}. Class: C-infinity, all derivatives exist.
 // Period: that of the frequencies, which are whole multiples of a common one: with 5 terms
 // 10869.565... (250000/23) units along x and 3720238.095... (78125000/21) along y; to rounding,
 // because these are no doubles. Far: 2^52, where doubles are whole.
@@ -40,6 +40,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "core/continuity.h"
 #include "core/random.h"
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
@@ -246,7 +247,7 @@ static void describe(const void *parameters, bl_facts *facts) {
     facts->mean = terms.count ? terms.all / 4 : terms.lost;
     if (terms.count == 0)
         facts->variance = 0;
-    facts->continuity = 99; // all derivatives
+    facts->continuity = BL_CONTINUITY_ALL;
     for (int a = 0; a < BL_AXES; a++)
         facts->period[a] = 0;
     if (terms.count) {
@@ -255,6 +256,26 @@ static void describe(const void *parameters, bl_facts *facts) {
     }
     facts->cell = 0;
     facts->far = 0x1p52;
+}
+
+// The text's cloud plane, in radians, a call a point.
+static float textbook(float x, float y, float z) {
+    (void)z;
+    float sum = 0, amplitude = 0.3f, x_phase = 0.9f, y_phase = 0.7f;
+    float across = 6.2831853f * 0.023f, up = 6.2831853f * 0.021f;
+    x += 13;
+    y += 96;
+    for (int i = 0; i < 5; i++) {
+        float first = amplitude * (0.5f + cosf(across * (x + x_phase)));
+        float second = amplitude * (0.5f + cosf(up * (y + y_phase)));
+        sum += first * second;
+        x_phase = 1.5707963f * 0.9f * cosf(up * y);
+        y_phase = 1.5707963f * 1.1f * cosf(across * x);
+        across *= 1.9f + (float)i * 0.1f;
+        up *= 2.2f - (float)i * 0.08f;
+        amplitude *= 0.707f;
+    }
+    return sum;
 }
 
 static const bl_parameter parameters[] = {
@@ -294,5 +315,7 @@ BL_NOISE_DESCRIPTOR(gardner_sum) = {
     .parameters_size = sizeof(gardner_parameters),
     .seed_offset = offsetof(gardner_parameters, seed),
     .describe = describe,
+    .textbook = textbook,
+    .textbook_settings = "",
     .functions = {.row = row, .points = points, .value = value, .gradient = gradient},
 };

@@ -9,11 +9,14 @@
 // Parameters
 //   seed     64 bits, chooses values and tangents
 //   lattice  hash, or the text's perm256, which repeats after 256 cells (noises/lattice.h)
+//   component, period   noises/common_parameters.h; with a period no closed form
 //
 // v_c and the three tangent components g_ca are independent and uniform in (-1, 1). At a lattice
 // point the noise is v_c and its gradient g_c. Units: coordinates in cells. C1 across every face:
 // on a face both sides blend the same corners, and so do their slopes across it. Bound:
-// noises/bounds.c. Band, mean, variance: exact, noises/closed_forms.h.
+// noises/bounds.c. Mean 0, variance 0.147156463; these and the band are exact,
+// noises/closed_forms.h.
+// NaN, infinity and coordinates beyond 2^62 give NaN; the fraction is lost from 2^52 on.
 //
 // Source: peachey2003, p. 77, which names Ward (1991) and prints no code. Deviations: Ward's
 // program was not at hand; this is the tensor form of cubic Hermite interpolation with the mixed
@@ -23,6 +26,7 @@
 #include "noises/common_parameters.h"
 #include "noises/closed_forms.h"
 #include "noises/noise.h"
+#include "noises/textbook.h"
 #include "noises/separable.h"
 
 typedef struct hermite_parameters {
@@ -273,6 +277,29 @@ static void describe(const void *block, bl_facts *facts) {
     bl_lattice_describe(bound, 1, &p->lattice, facts);
 }
 
+// One value and three tangents a corner, as the sum is written.
+static float textbook(float x, float y, float z) {
+    int ix = bl_textbook_floor(x), iy = bl_textbook_floor(y), iz = bl_textbook_floor(z);
+    float fx = x - (float)ix, fy = y - (float)iy, fz = z - (float)iz, sum = 0;
+    for (int k = 0; k <= 1; k++)
+        for (int j = 0; j <= 1; j++)
+            for (int i = 0; i <= 1; i++) {
+                int index = bl_textbook_index(ix + i, iy + j, iz + k);
+                const float *tangent = &bl_textbook_data.tangents[3 * index];
+                const float d[3] = {fx - (float)i, fy - (float)j, fz - (float)k};
+                float h0[3], h1[3];
+                for (int a = 0; a < 3; a++) {
+                    float r = fabsf(d[a]);
+                    h0[a] = 1 - r * r * (3 - 2 * r);
+                    h1[a] = d[a] * (1 - r) * (1 - r);
+                }
+                sum += bl_textbook_data.values[index] * h0[0] * h0[1] * h0[2] +
+                       tangent[0] * h1[0] * h0[1] * h0[2] + tangent[1] * h0[0] * h1[1] * h0[2] +
+                       tangent[2] * h0[0] * h0[1] * h1[2];
+            }
+    return sum;
+}
+
 static const bl_parameter parameters[] = {
     BL_LATTICE_PARAMETERS(hermite_parameters, "the values and the tangents"), {.key = NULL}};
 
@@ -288,5 +315,7 @@ BL_NOISE_DESCRIPTOR(hermite_noise) = {
     .seed_offset = offsetof(hermite_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
+    .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_VALUES,
     .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

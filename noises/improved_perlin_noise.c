@@ -100,9 +100,9 @@ static float textbook_fade(float t) {
     return t * t * t * (t * (t * 6 - 15) + 10);
 }
 
-// The product with one of the 16 entries, from the low four bits of an index.
+// The product with one of the 16 gradients.
 static float textbook_corner(int index, float x, float y, float z) {
-    const bl_vector g = bl_edge16_gradient((uint32_t)index << 28);
+    const bl_vector g = bl_edge16_gradient((uint32_t)bl_textbook_data.edges[index] << 28);
     return g.x * x + g.y * y + g.z * z;
 }
 
@@ -142,5 +142,6 @@ BL_NOISE_DESCRIPTOR(improved_perlin_noise) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_GRADIENTS,
     .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

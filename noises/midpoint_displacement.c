@@ -42,6 +42,7 @@
 #include "noises/common_parameters.h"
 #include "noises/displacement.h"
 #include "noises/noise.h"
+#include "noises/textbook_loops.h"
 #include "noises/tile_points.h"
 
 typedef struct midpoint_parameters {
@@ -77,6 +78,11 @@ static void describe(const void *block, bl_facts *facts) {
     bl_displacement_describe(&p->of, p->scale, &p->tile, facts);
 }
 
+static float textbook(float x, float y, float z) {
+    (void)z;
+    return bl_textbook_catmull_rom_tile(bl_textbook_data.midpoint, x, y);
+}
+
 static const bl_parameter parameters[] = {
     BL_SEED_PARAMETER(midpoint_parameters, of.tile.seed, "the displacements"),
     BL_TILE_DIMENSIONS_PARAMETER(midpoint_parameters, of.tile.dimensions, 1, 2, "2"),
@@ -106,5 +112,7 @@ BL_NOISE_DESCRIPTOR(midpoint_displacement) = {
     .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,
+    .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_TILE_SETTINGS,
     .functions = {BL_TILE_FUNCTIONS, .build = build},
 };

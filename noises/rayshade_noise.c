@@ -147,5 +147,6 @@ BL_NOISE_DESCRIPTOR(rayshade_noise) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_VALUES,
     .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

@@ -29,10 +29,12 @@
 // Source: the ridged multifractal of musgrave2003, from its formula as commonly quoted; the book
 // was not at hand, and peachey2003 has none. Deviation: the exponent of its amplitudes, f^-H, is
 // fixed at H = 1.
+#include <math.h>
 #include <stddef.h>
 
 #include "noises/noise.h"
 #include "noises/octaves_kernel.h"
+#include "noises/textbook_loops.h"
 
 typedef struct ridged_parameters {
     bl_octaves_settings sum;
@@ -71,6 +73,21 @@ static const bl_parameter parameters[] = {
      .help = "the height of a ridge, before it is squared"},
     {.key = NULL}};
 
+static float textbook(float x, float y, float z) {
+    float sum = 0, weight = 1, amplitude = 1;
+    for (int i = 0; i < 4; i++) {
+        float height = 1 - fabsf(bl_textbook_gradient(x, y, z));
+        float ridge = height * height * weight;
+        sum += amplitude * ridge;
+        weight = ridge * 2 > 1 ? 1 : ridge * 2;
+        amplitude *= 0.5f;
+        x *= 2;
+        y *= 2;
+        z *= 2;
+    }
+    return sum;
+}
+
 BL_NOISE_DESCRIPTOR(ridged_sum) = {
     .name = "ridged",
     .title = "ridged multifractal",
@@ -83,5 +100,7 @@ BL_NOISE_DESCRIPTOR(ridged_sum) = {
     .parameters_size = sizeof(ridged_parameters),
     .seed_offset = offsetof(ridged_parameters, sum.seed),
     .describe = bl_octaves_describe,
+    .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_OCTAVES,
     .functions = {BL_OCTAVES_FUNCTIONS, .build = build},
 };

@@ -12,6 +12,7 @@
 //   impulses  N, 1 to 64 impulses a cell; the sum is divided by N, as in the text, so the standard
 //             deviation falls as 1/sqrt(N)
 //   lattice   hash: no period; perm256: the text's index of 256 entries, period 256
+//   component, period   noises/common_parameters.h; with a period no closed form
 //   count     fixed: N in every cell, as in the text; poisson: a true Poisson number of mean N
 //             (impulses.h). Both have the same covariance
 //   kernel    exact: the radial Catmull-Rom kernel (radial_kernel.h); table:R: the text's table of
@@ -24,7 +25,8 @@
 // poisson by the largest count that occurs; not [-1, 1].
 // Band: that of the kernel's transform: low pass, most of it below 1 cycle a cell, and a tail that
 // falls as f^-4 in amplitude as for every C1 radial kernel in space; DC is not 0.
-// The spectrum is E[a^2]/N |K^|^2, of variance E[a^2]/N int K^2, E[a^2] = (1 - 2^-40)/3.
+// The spectrum is E[a^2]/N |K^|^2, of variance E[a^2]/N int K^2, E[a^2] = (1 - 2^-40)/3:
+// 0.0603939328 with the default settings.
 // Known defects: a fixed number of impulses in a cell is not Poisson, though the spectrum is the
 // same since amplitudes are independent with mean 0; fourth moments tell (t-impulses). With
 // kernel=table the noise is discontinuous.
@@ -32,8 +34,9 @@
 // perm256 every index has N entries of its own, where the text lets impulse k+1 of entry h be
 // impulse k of entry h+1, so that cells share impulses.
 //
-// Float results are within 1e-6 of the double reference at any coordinate below 2^62 (N = 3); beyond, for
-// NaN and for infinity the noise is NaN, and from 2^52 on the fraction within a cell is lost.
+// Float results are within 1e-6 of the double reference at any coordinate below 2^62 (N = 3);
+// beyond, for NaN and for infinity the noise is NaN, and from 2^52 on the fraction within a cell is
+// lost.
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -51,7 +54,7 @@
 #include "noises/sparse_impulses.h"
 #include "noises/sparse_points.h"
 #include "noises/sparse_row.h"
-#include "noises/textbook.h"
+#include "noises/textbook_loops.h"
 
 typedef struct sparse_parameters {
     bl_lattice_settings lattice;
@@ -257,15 +260,7 @@ static void row(const void *block, const double start[BL_AXES], const double ste
 
 // --- the text's own loops -----------------------------------------------------------------------
 
-static float textbook_kernel(const bl_textbook *tables, float squared) {
-    if (squared >= 4)
-        return 0;
-    int entry = bl_textbook_floor(squared * 100 + 0.5f);
-    return entry > 400 ? 0 : tables->kernel[entry];
-}
-
 static float textbook(float x, float y, float z) {
-    const bl_textbook *tables = bl_textbook_tables();
     int cell_x = bl_textbook_floor(x), cell_y = bl_textbook_floor(y), cell_z = bl_textbook_floor(z);
     float fx = x - (float)cell_x, fy = y - (float)cell_y, fz = z - (float)cell_z, sum = 0;
     for (int i = -2; i <= 2; i++)
@@ -273,10 +268,10 @@ static float textbook(float x, float y, float z) {
             for (int k = -2; k <= 2; k++) {
                 int entry = bl_textbook_index(cell_x + i, cell_y + j, cell_z + k);
                 for (int n = 0; n < 3; n++, entry = (entry + 1) & 255) {
-                    const float *one = tables->impulses + 4 * entry;
+                    const float *one = bl_textbook_data.impulses + 4 * entry;
                     float dx = fx - ((float)i + one[0]), dy = fy - ((float)j + one[1]),
                           dz = fz - ((float)k + one[2]);
-                    sum += textbook_kernel(tables, dx * dx + dy * dy + dz * dz) * one[3];
+                    sum += bl_textbook_kernel(dx * dx + dy * dy + dz * dz) * one[3];
                 }
             }
     return sum / 3;

@@ -48,6 +48,7 @@
 #include "noises/noise.h"
 #include "noises/profile_float.h"
 #include "noises/separable.h"
+#include "noises/textbook_loops.h"
 
 typedef struct spot_parameters {
     bl_lattice_settings lattice;
@@ -315,6 +316,27 @@ static void describe(const void *block, bl_facts *facts) {
     bl_lattice_describe(bound, steps ? -1 : 1, &p->lattice, facts);
 }
 
+// A generator a cell, as in the loop of gabor: four spots a cell on average.
+static float textbook(float x, float y, float z) {
+    (void)z;
+    const float rate = (float)BL_GAUSSIAN_RATE, edge = (float)BL_GAUSSIAN_EDGE;
+    int cell_x = bl_textbook_floor(x), cell_y = bl_textbook_floor(y);
+    float fx = x - (float)cell_x, fy = y - (float)cell_y, sum = 0;
+    for (int i = -1; i <= 1; i++)
+        for (int j = -1; j <= 1; j++) {
+            uint32_t state = bl_textbook_cell(cell_x + i, cell_y + j);
+            int count = bl_textbook_poisson(&state, 0.018315639f); // e^-4
+            for (int n = 0; n < count; n++) {
+                float dx = fx - ((float)i + bl_textbook_uniform(&state));
+                float dy = fy - ((float)j + bl_textbook_uniform(&state));
+                float amplitude = 2 * bl_textbook_uniform(&state) - 1, q = dx * dx + dy * dy;
+                if (q < 1)
+                    sum += amplitude * (expf(-rate * q) - edge - rate * edge * (1 - q));
+            }
+        }
+    return sum / (2 * (1 - edge * (1 + rate)));
+}
+
 BL_NOISE_DESCRIPTOR(spot_noise) = {
     .name = "spot",
     .title = "spot noise",
@@ -328,5 +350,6 @@ BL_NOISE_DESCRIPTOR(spot_noise) = {
     .dimensions_of = dimensions_of,
     .describe = describe,
     .has_closed_form = has_closed_form,
+    .textbook = textbook,
     .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

@@ -42,6 +42,7 @@
 #include "noises/common_parameters.h"
 #include "noises/displacement.h"
 #include "noises/noise.h"
+#include "noises/textbook_loops.h"
 #include "noises/tile_points.h"
 
 typedef struct additions_parameters {
@@ -72,6 +73,11 @@ static unsigned dimensions_of(const void *block) {
 static void describe(const void *block, bl_facts *facts) {
     const additions_parameters *p = block;
     bl_displacement_describe(&p->of, p->scale, &p->tile, facts);
+}
+
+static float textbook(float x, float y, float z) {
+    (void)z;
+    return bl_textbook_catmull_rom_tile(bl_textbook_data.additions, x, y);
 }
 
 static const bl_parameter parameters[] = {
@@ -110,5 +116,7 @@ BL_NOISE_DESCRIPTOR(successive_additions) = {
     .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,
+    .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_TILE_SETTINGS,
     .functions = {BL_TILE_FUNCTIONS, .build = build},
 };

@@ -1,26 +1,61 @@
 // SPDX-License-Identifier: MIT
 //
-// The tables of the text's own loops (peachey2003, pp. 69-80): the permutation of 256 entries and
-// tables of 256 values, gradients and impulses, as `float` and filled from the project's generator
-// where the text uses random(). They serve the `textbook` functions of the noises, which are the
-// yardstick of the benchmark.
+// The tables of the plain loops: the text's own (peachey2003, pp. 69-80), which are the permutation
+// of 256 entries and tables of 256 values, gradients and impulses, and what the loops of other
+// sources read: tangents, places, an inverse matrix, tiles. They serve the `textbook` functions of
+// the noises, which are the yardstick of the benchmark; noises/textbook_loops.h has what several of
+// these share. All are `float`.
 //
-// bl_textbook_tables() may be called from any thread and returns the same constant tables.
+// Where the text uses random(), the tables hold the numbers that lattice=perm256 draws
+// (noises/lattice.h), and tiles are those of the noises. So most loops compute, up to rounding, the
+// very field of their noise with the settings that its descriptor names (`textbook_settings`), and
+// t-textbook holds them to it. The others draw otherwise and have its statistics:
+//   scnoise       the text lets cells share impulses
+//   simplex       picks a gradient by the index itself
+//   gabor, spot   a generator a cell
+//   white         a hash of the 32 bits of a float
+//
+// bl_textbook_tables() may be called from any thread and returns the same tables; the loops read
+// them without looking whether they are there, so it must have been called before. A tile for
+// which there is no memory is NaN.
 #ifndef BL_NOISES_TEXTBOOK_H
 #define BL_NOISES_TEXTBOOK_H
 
-enum { BL_TEXTBOOK_SIZE = 256 };
+#include <stdint.h>
+
+enum { BL_TEXTBOOK_SIZE = 256, BL_TEXTBOOK_TILE = 64, BL_TEXTBOOK_CUBE = 32 };
+
+// The seed of the text. Values and gradients are those of the two parts of vgnoise, whose seeds are
+// the streams 16 and 17 of it: bl_stream(665, 16) and bl_stream(665, 17).
+#define BL_TEXTBOOK_SEED 665
+#define BL_TEXTBOOK_TILE_SETTINGS "seed=665"
+#define BL_TEXTBOOK_PERM256 "seed=665,lattice=perm256"
+#define BL_TEXTBOOK_VALUES "seed=0x769d89804be48c6b,lattice=perm256"
+#define BL_TEXTBOOK_GRADIENTS "seed=0x3824f71dec142041,lattice=perm256"
+#define BL_TEXTBOOK_OCTAVES "seed=0x3824f71dec142041,basis.lattice=perm256"
 
 typedef struct bl_textbook {
-    float values[BL_TEXTBOOK_SIZE];
+    float values[BL_TEXTBOOK_SIZE];       // in (-1, 1), as are ...
+    float tangents[3 * BL_TEXTBOOK_SIZE]; // ... three further numbers
     float gradients[3 * BL_TEXTBOOK_SIZE];
-    float impulses[4 * BL_TEXTBOOK_SIZE]; // x, y, z in [0, 1) and the amplitude
-    float kernel[401];                    // radial Catmull-Rom by squared distance, 100 a unit
+    unsigned char edges[BL_TEXTBOOK_SIZE]; // 0 to 15
+    float places[3 * BL_TEXTBOOK_SIZE];    // in (0, 1), from the value and two of the tangent
+    float impulses[4 * BL_TEXTBOOK_SIZE];  // x, y, z in [0, 1) and the amplitude
+    float kernel[401];                     // radial Catmull-Rom by squared distance, 100 a unit
+    float inverse[4][4]; // of the covariances exp(-d^2/2) of four points on a line
+    // Tiles, x runs fastest.
+    float fourier[BL_TEXTBOOK_TILE * BL_TEXTBOOK_TILE];
+    float midpoint[BL_TEXTBOOK_TILE * BL_TEXTBOOK_TILE];
+    float additions[BL_TEXTBOOK_TILE * BL_TEXTBOOK_TILE];
+    float wavelet[BL_TEXTBOOK_CUBE * BL_TEXTBOOK_CUBE * BL_TEXTBOOK_CUBE];
 } bl_textbook;
 
 extern bl_textbook bl_textbook_data; // filled by bl_textbook_tables
 
 const bl_textbook *bl_textbook_tables(void);
+
+// Draws the random numbers of a set of tables, but for the tiles, which stay, from another seed.
+void bl_textbook_draw(bl_textbook *tables, uint64_t seed);
 
 // The permutation as printed; data of the text.
 extern const unsigned char bl_permutation[BL_TEXTBOOK_SIZE];

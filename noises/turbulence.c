@@ -21,10 +21,12 @@
 //
 // Source: peachey2003, section Spectral Synthesis (at figure 2.38), both versions. Deviations: the
 // text removes octaves to zero (lost=zero); that of the clamping in noises/octaves.h.
+#include <math.h>
 #include <stddef.h>
 
 #include "noises/noise.h"
 #include "noises/octaves_kernel.h"
+#include "noises/textbook_loops.h"
 
 typedef struct turbulence_parameters {
     bl_octaves_settings sum;
@@ -53,6 +55,13 @@ static const bl_parameter parameters[] = {
      .help = "what a removed octave leaves: its mean, or zero as in the text"},
     {.key = NULL}};
 
+static float textbook(float x, float y, float z) {
+    float sum = 0;
+    for (float f = 1; f < 16; f *= 2)
+        sum += fabsf(bl_textbook_gradient(x * f, y * f, z * f)) / f;
+    return sum;
+}
+
 BL_NOISE_DESCRIPTOR(turbulence) = {
     .name = "turbulence",
     .title = "turbulence",
@@ -65,5 +74,7 @@ BL_NOISE_DESCRIPTOR(turbulence) = {
     .parameters_size = sizeof(turbulence_parameters),
     .seed_offset = offsetof(turbulence_parameters, sum.seed),
     .describe = bl_octaves_describe,
+    .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_OCTAVES,
     .functions = {BL_OCTAVES_FUNCTIONS, .build = build},
 };

@@ -44,6 +44,7 @@
 
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
+#include "noises/textbook.h"
 #include "noises/tile_points.h"
 #include "noises/wavelet_tile.h"
 
@@ -97,6 +98,30 @@ static const bl_parameter parameters[] = {
      .help = "of slice=projected"},
     {.key = NULL}};
 
+// The 27 numbers around the point, each times the weights of three quadratic B-splines.
+static float textbook(float x, float y, float z) {
+    const float at[3] = {2 * x, 2 * y, 2 * z};
+    int middle[3];
+    float w[3][3], sum = 0;
+    for (int a = 0; a < 3; a++) {
+        middle[a] = bl_textbook_floor(at[a] + 0.5f);
+        float t = (float)middle[a] - (at[a] - 0.5f); // in [0, 1]
+        w[a][0] = t * t / 2;
+        w[a][2] = (1 - t) * (1 - t) / 2;
+        w[a][1] = 1 - w[a][0] - w[a][2];
+    }
+    for (int k = -1; k <= 1; k++)
+        for (int j = -1; j <= 1; j++)
+            for (int i = -1; i <= 1; i++) {
+                int cx = (middle[0] + i) & (BL_TEXTBOOK_CUBE - 1);
+                int cy = (middle[1] + j) & (BL_TEXTBOOK_CUBE - 1);
+                int cz = (middle[2] + k) & (BL_TEXTBOOK_CUBE - 1);
+                int entry = (cz * BL_TEXTBOOK_CUBE + cy) * BL_TEXTBOOK_CUBE + cx;
+                sum += w[0][i + 1] * w[1][j + 1] * w[2][k + 1] * bl_textbook_data.wavelet[entry];
+            }
+    return sum;
+}
+
 BL_NOISE_DESCRIPTOR(wavelet_noise) = {
     .name = "wavelet",
     .title = "wavelet noise",
@@ -110,5 +135,7 @@ BL_NOISE_DESCRIPTOR(wavelet_noise) = {
     .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,
+    .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_TILE_SETTINGS,
     .functions = {BL_TILE_FUNCTIONS, .build = build},
 };

@@ -177,6 +177,20 @@ static void describe(const void *block, bl_facts *facts) {
 
 static const char *const cell_examples[] = {"1", "1/8", NULL};
 
+// A finaliser of 32 bits a coordinate (Appleby 2011), of the bits of the floats.
+static float textbook(float x, float y, float z) {
+    const float at[3] = {x, y, z};
+    uint32_t bits[3], hash = 0;
+    memcpy(bits, at, sizeof bits);
+    for (int a = 0; a < 3; a++) {
+        hash ^= bits[a];
+        hash = (hash ^ hash >> 16) * 0x85ebca6bu;
+        hash = (hash ^ hash >> 13) * 0xc2b2ae35u;
+        hash ^= hash >> 16;
+    }
+    return (float)(int32_t)hash * 0x1p-31f;
+}
+
 static const bl_parameter parameters[] = {
     BL_SEED_PARAMETER(white_parameters, seed, "the numbers"),
     BL_DIMENSIONS_PARAMETER(white_parameters, 1, 4, "3"),
@@ -205,5 +219,6 @@ BL_NOISE_DESCRIPTOR(white_noise) = {
     .validate = validate,
     .describe = describe,
     .has_closed_form = has_closed_form,
+    .textbook = textbook,
     .functions = {BL_NOISE_FUNCTIONS, BL_NOISE_CLOSED_FORM},
 };

@@ -40,6 +40,7 @@
 
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
+#include "noises/textbook.h"
 #include "noises/value_kernel.h"
 #include "noises/wiener_weights.h"
 
@@ -262,6 +263,35 @@ static void describe(const void *block, bl_facts *facts) {
 
 static const char *const width_examples[] = {"0.7", NULL};
 
+// Four covariances an axis times the inverse matrix, which is a table; then the 64 points.
+static void textbook_weights(float t, float weight[4]) {
+    float near[4];
+    for (int i = 0; i < 4; i++) {
+        float d = t - (float)(i - 1);
+        near[i] = expf(-0.5f * d * d);
+    }
+    for (int i = 0; i < 4; i++) {
+        weight[i] = 0;
+        for (int j = 0; j < 4; j++)
+            weight[i] += bl_textbook_data.inverse[i][j] * near[j];
+    }
+}
+
+static float textbook(float x, float y, float z) {
+    int ix = bl_textbook_floor(x), iy = bl_textbook_floor(y), iz = bl_textbook_floor(z);
+    float wx[4], wy[4], wz[4], sum = 0;
+    textbook_weights(x - (float)ix, wx);
+    textbook_weights(y - (float)iy, wy);
+    textbook_weights(z - (float)iz, wz);
+    for (int k = 0; k < 4; k++)
+        for (int j = 0; j < 4; j++)
+            for (int i = 0; i < 4; i++) {
+                int index = bl_textbook_index(ix + i - 1, iy + j - 1, iz + k - 1);
+                sum += bl_textbook_data.values[index] * wx[i] * wy[j] * wz[k];
+            }
+    return sum;
+}
+
 static const bl_parameter parameters[] = {
     BL_LATTICE_PARAMETERS(wiener_parameters, "the lattice numbers"),
     {.key = "covariance",
@@ -298,5 +328,7 @@ BL_NOISE_DESCRIPTOR(wiener_noise) = {
     .seed_offset = offsetof(wiener_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
+    .textbook = textbook,
+    .textbook_settings = BL_TEXTBOOK_VALUES,
     .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM, .build = build},
 };

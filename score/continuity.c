@@ -24,6 +24,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "core/continuity.h"
 #include "core/grid.h"
 
 enum { PER_CELL = 256, LINE = 16 * PER_CELL + 1, CANDIDATES = 3, FINE = 16, LEVELS = 16 };
@@ -249,6 +250,7 @@ static void judge(const bl_signal *signal, const summary *s, const bl_score_look
     while (found_class + 1 < ORDERS && s->largest[found_class + 1].size == 0)
         found_class++;
     const finding *worst = &s->largest[found_class + 1 < ORDERS ? found_class + 1 : 0];
+    char class[16];
     int is_blind = 2 * s->unresolved > s->places && found_class >= 0;
     add_numbers(s, look, found_class, result);
     if (found_class < 0)
@@ -260,9 +262,10 @@ static void judge(const bl_signal *signal, const summary *s, const bl_score_look
                  found_class == ORDERS - 1 ? "+" : "");
     if (found_class < wanted && found_class < ORDERS - 1)
         bl_score_judge(result, BL_SCORE_FAIL, against,
-                       "%s jumps by %.3g at (%.12g, %.12g, %.12g, %.12g); %s C%d",
+                       "%s jumps by %.3g at (%.12g, %.12g, %.12g, %.12g); %s %s",
                        what[found_class + 1], worst->size, worst->at[0], worst->at[1], worst->at[2],
-                       worst->at[3], is_stated ? "stated" : "wanted", wanted);
+                       worst->at[3], is_stated ? "stated" : "wanted",
+                       bl_continuity_text(wanted, class, sizeof class));
     else if (is_blind && wanted > 0)
         bl_score_judge(result, BL_SCORE_INCONCLUSIVE, against,
                        "the value does not jump; its derivatives cannot be seen, because the "
