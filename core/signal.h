@@ -121,4 +121,9 @@ void bl_signal_points(const bl_signal *signal, const double *const at[BL_AXES], 
 double bl_signal_value(const bl_signal *signal, const double at[BL_AXES]);
 bl_status bl_signal_complaint(const bl_signal *signal, bl_message *message);
 
+// The size of coordinates below which a signal of the library has values, by what it states: 2^62
+// units, or less for one that scales coordinates up, whose finest cell, 2^-52 facts.far to a factor
+// of 2, ends the sooner. Between it and 2^62 such a signal has values or NaN.
+double bl_signal_domain(const bl_signal *signal);
+
 #endif

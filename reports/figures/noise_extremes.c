@@ -14,12 +14,6 @@
 
 enum { LOWEST = -30, HIGHEST = 18, DECADES = HIGHEST - LOWEST + 1, PLACES = 128 };
 
-// Where the finest octave of a sum reaches the end of the domain, 2^62, before the others:
-// facts.far is 2^52 of its cells, told to a factor of 2.
-static double domain_of(const bl_signal *signal) {
-    return signal->facts.far < 0x1p52 ? 0x1p9 * signal->facts.far : 0x1p62;
-}
-
 // The largest error at places of the size 10^decade, every second one on a cell boundary of x.
 static double largest_error(const bl_signal *signal, int decade, bl_random *random) {
     double at[BL_AXES][PLACES];
@@ -35,7 +29,7 @@ static double largest_error(const bl_signal *signal, int decade, bl_random *rand
     bl_signal_points(signal, (const double *const[]){at[0], at[1], at[2], at[3]}, PLACES, out);
     for (int i = 0; i < PLACES; i++) {
         const double here[BL_AXES] = {at[0][i], at[1][i], at[2][i], at[3][i]};
-        if (scale * 4 > domain_of(signal))
+        if (scale * 4 > bl_signal_domain(signal))
             return 0;
         double error = fabs((double)out[i] - bl_signal_value(signal, here));
         worst = error <= worst ? worst : error; // keeps NaN
@@ -58,7 +52,7 @@ static double count_wrong(const bl_signal *signal, const double *coordinate, siz
             bl_signal_points(signal, (const double *const[]){&at[0], &at[1], &at[2], &at[3]}, 1,
                              &out);
             double value = bl_signal_value(signal, at);
-            if (!want_nan && fabs(coordinate[i]) >= domain_of(signal))
+            if (!want_nan && fabs(coordinate[i]) >= bl_signal_domain(signal))
                 continue; // beyond the domain of the finest octave of a sum
             wrong += want_nan ? !isnan(out) || !isnan(value) : !isfinite(out) || !isfinite(value);
         }
