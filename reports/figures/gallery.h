@@ -96,16 +96,16 @@ bl_status bl_gallery_draw_slices(bl_run *run, const bl_gallery *gallery,
 
 // --- spectra ------------------------------------------------------------------------------------
 
-// One spectrum a signal. Those that could not be measured have `measured` 0 and a reason.
+// One spectrum a signal. Those that could not be measured have `measured` 0; the settings of the
+// run say why.
 typedef struct bl_gallery_spectra {
     bl_psd *psd;
     int *measured;
-    const char **reason;
     size_t count;
 } bl_gallery_spectra;
 
 // Measures with the settings given, whose seed and threads are those of the run. A signal that does
-// not fit the settings (too few dimensions, a grid too small) is left out with its reason.
+// not fit the settings (too few dimensions, a grid too small) is left out.
 bl_status bl_gallery_measure_spectra(bl_run *run, const bl_gallery *gallery,
                                      const bl_psd_settings *settings, const char *what,
                                      bl_gallery_spectra *spectra, bl_message *message);
