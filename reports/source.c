@@ -15,7 +15,7 @@
 #include "core/grammar.h"
 #include "reports/image.h"
 #include "reports/source_kinds.h"
-#include "reports/sampled_tile.h"
+#include "reports/tile_parameters.h"
 
 static int ends_with(const char *text, size_t length, const char *ending) {
     size_t tail = strlen(ending);
@@ -93,14 +93,7 @@ typedef struct image_settings {
 enum { LARGEST_PART = 65535 };
 
 static const bl_parameter image_parameters[] = {
-    {.key = "spacing",
-     .kind = BL_REAL,
-     .offset = offsetof(image_settings, spacing),
-     .minimum = -1e12, // what is not above 0 has words of its own
-     .maximum = 1e12,
-     .fallback = "0",
-     .unit = "units",
-     .help = "between pixels; 0: from the file, else 1"},
+    BL_SPACING_PARAMETER(image_settings, "0", "between pixels; 0: from the file, else 1"),
     {.key = "part",
      .kind = BL_REAL,
      .offset = offsetof(image_settings, part),
@@ -109,28 +102,8 @@ static const bl_parameter image_parameters[] = {
      .fallback = "-1",
      .unit = "",
      .help = "of a multi-part file, from 0"},
-    {.key = "memory",
-     .kind = BL_REAL,
-     .offset = offsetof(image_settings, memory),
-     .minimum = 0,
-     .maximum = 1 << 24,
-     .fallback = "1024",
-     .unit = "MiB",
-     .help = "held at most; a larger image is read in blocks"},
-    {.key = "wrap",
-     .kind = BL_CHOICE,
-     .offset = offsetof(image_settings, wrap),
-     .choices = bl_sampled_tile_wrap_words,
-     .fallback = "none",
-     .unit = "",
-     .help = "what stands beyond the edge"},
-    {.key = "interp",
-     .kind = BL_CHOICE,
-     .offset = offsetof(image_settings, reading),
-     .choices = bl_sampled_tile_reading_words,
-     .fallback = "nearest",
-     .unit = "",
-     .help = "what stands between the pixels"},
+    BL_MEMORY_PARAMETER(image_settings, "held at most; a larger image is read in blocks"),
+    BL_WRAP_PARAMETERS(image_settings, "pixels"),
     {.key = NULL}};
 
 static const char *const image_keys[] = {"channel", "spacing", "part", "memory",
