@@ -149,3 +149,8 @@ bl_status bl_signal_complaint(const bl_signal *signal, bl_message *message) {
     return signal->functions->complaint ? signal->functions->complaint(signal->parameters, message)
                                         : BL_OK;
 }
+
+double bl_signal_domain(const bl_signal *signal) {
+    // 2^61 of its finest cells rather than 2^62: these are told to a factor of 2 only.
+    return signal->facts.far < 0x1p52 ? 0x1p9 * signal->facts.far : 0x1p62;
+}

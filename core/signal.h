@@ -134,4 +134,9 @@ void bl_signal_colour(const bl_signal *signal, const double at[BL_AXES],
                       const double width[BL_AXES], double rgb[3]);
 bl_status bl_signal_complaint(const bl_signal *signal, bl_message *message);
 
+// The size of coordinates below which a signal of the library has values, by what it states: 2^62
+// units, or less for one that scales coordinates up, whose finest cell, 2^-52 facts.far to a factor
+// of 2, ends the sooner. Between it and 2^62 such a signal has values or NaN.
+double bl_signal_domain(const bl_signal *signal);
+
 #endif

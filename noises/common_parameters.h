@@ -55,13 +55,4 @@ static const char *const bl_period_examples[] = {"4,8,16", "3", "5,0,300,7", NUL
         .examples = bl_period_examples                                                             \
     }
 
-// uint32_t kernel, table_rate: of a radial convolution. `choices` are exact and table:N.
-#define BL_KERNEL_PARAMETER(block, words)                                                          \
-    {                                                                                              \
-        .key = "kernel", .kind = BL_CHOICE, .offset = offsetof(block, kernel), .choices = words,   \
-        .number_offset = offsetof(block, table_rate), .minimum = 1, .maximum = 1000000,            \
-        .fallback = "exact", .unit = "entries a unit",                                             \
-        .help = "exact, or the text's table in squared distance"                                   \
-    }
-
 #endif

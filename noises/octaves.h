@@ -117,6 +117,12 @@ typedef struct bl_octaves_settings {
 bl_status bl_octaves_build(bl_octaves_settings *settings, const bl_octaves_plan *plan,
                            const bl_octaves_rules *rules, bl_isa isa, bl_message *message);
 
+// F of a value of the basis, without the weight of a ridge; its slope in *slope.
+double bl_octaves_fold(const bl_octaves_rules *rules, double noise, double *slope);
+// What removed parts add to each value, a float. A ridge's parts depend on the octave before,
+// unless all are removed.
+double bl_octaves_constant(const bl_octaves *octaves, const bl_octaves_plan *plan);
+
 // The abilities that all sums share, for their descriptors; `parameters` is the block.
 void bl_octaves_release(void *parameters);
 double bl_octaves_value(const void *parameters, const double at[BL_AXES]);

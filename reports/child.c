@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,6 +14,7 @@
 #include <unistd.h>
 
 #include "core/interrupt.h"
+#include "reports/spawn.h"
 
 enum { TAIL = 1024, QUOTED = 480, GRACE_MS = 250, STANDARD = 3 };
 
@@ -70,16 +70,10 @@ static int open_pipes(bl_child *child, int theirs[STANDARD]) {
 
 static int spawn(bl_child *child, char *const *words, const int theirs[STANDARD]) {
     posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    sigset_t all, none;
+    sigset_t all;
     sigfillset(&all);
-    sigemptyset(&none);
     if (posix_spawn_file_actions_init(&actions) != 0)
         return ENOMEM;
-    if (posix_spawnattr_init(&attributes) != 0) {
-        posix_spawn_file_actions_destroy(&actions);
-        return ENOMEM;
-    }
     int failed = 0;
     for (int i = 0; i < STANDARD && !failed; i++)
         failed = posix_spawn_file_actions_adddup2(&actions, theirs[i], i);
@@ -87,17 +81,8 @@ static int spawn(bl_child *child, char *const *words, const int theirs[STANDARD]
     if (!failed) // what others opened without O_CLOEXEC
         failed = posix_spawn_file_actions_addclosefrom_np(&actions, STANDARD);
 #endif
-    posix_spawnattr_setsigdefault(&attributes, &all);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK |
-                                              POSIX_SPAWN_SETPGROUP);
-    sigset_t before;
-    bl_interrupt_child_starts(&before);
     if (!failed)
-        failed = posix_spawnp(&child->pid, words[0], &actions, &attributes, words, environ);
-    bl_interrupt_child_started(&before, failed ? 0 : child->pid);
-    posix_spawnattr_destroy(&attributes);
+        failed = bl_spawn(&child->pid, words, &actions, &all);
     posix_spawn_file_actions_destroy(&actions);
     return failed;
 }

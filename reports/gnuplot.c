@@ -4,7 +4,6 @@
 // under a prefixed name and renamed when all of them are whole.
 #include <errno.h>
 #include <fcntl.h>
-#include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,8 +13,7 @@
 #include "core/file.h"
 #include "core/interrupt.h"
 #include "reports/plot.h"
-
-extern char **environ;
+#include "reports/spawn.h"
 
 enum { SAID = 600 }; // bytes of what gnuplot says that fit a message
 
@@ -46,19 +44,10 @@ static int spawn_gnuplot(const char *folder, const char *script, const char *pre
     // -d keeps a user's start-up file out of the figures.
     const char *const arguments[] = {"gnuplot", "-d", "-e", set_prefix, script, NULL};
     posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    sigset_t before, none;
+    sigset_t none;
     sigemptyset(&none);
     if (posix_spawn_file_actions_init(&actions) != 0)
         return ENOMEM;
-    if (posix_spawnattr_init(&attributes) != 0) {
-        posix_spawn_file_actions_destroy(&actions);
-        return ENOMEM;
-    }
-    // A group of its own, which ends with us; the mask that is held while it starts is not for it.
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
     int failed = posix_spawn_file_actions_addchdir_np(&actions, folder);
     if (!failed)
         failed = posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
@@ -66,12 +55,8 @@ static int spawn_gnuplot(const char *folder, const char *script, const char *pre
         failed = posix_spawn_file_actions_adddup2(&actions, to, 1);
     if (!failed)
         failed = posix_spawn_file_actions_adddup2(&actions, to, 2);
-    bl_interrupt_child_starts(&before);
-    if (!failed)
-        failed = posix_spawnp(child, "gnuplot", &actions, &attributes, (char *const *)arguments,
-                              environ);
-    bl_interrupt_child_started(&before, failed ? 0 : *child);
-    posix_spawnattr_destroy(&attributes);
+    if (!failed) // what it ignores is what we do
+        failed = bl_spawn(child, (char *const *)arguments, &actions, &none);
     posix_spawn_file_actions_destroy(&actions);
     return failed;
 }

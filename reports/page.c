@@ -5,7 +5,6 @@
 #include "reports/page.h"
 
 #include <errno.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,6 +13,7 @@
 #include "core/version.h"
 #include "reports/html.h"
 #include "reports/output.h"
+#include "reports/page_claims.h"
 
 static void put_base64(FILE *out, FILE *in) {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -68,93 +68,6 @@ static bl_status put_picture(FILE *out, const char *folder, const bl_run_picture
     return status;
 }
 
-static const char *verdict_sign(bl_verdict verdict) {
-    static const char *const signs[] = {"&#10003;", "?", "&#10007;", "!", "&ndash;"};
-    return signs[verdict];
-}
-
-static const char *verdict_class(bl_verdict verdict) {
-    return verdict == BL_NOT_RUN ? "soft" : bl_verdict_word(verdict);
-}
-
-static void put_verdict(FILE *out, bl_verdict verdict) {
-    fprintf(out, "<span class=\"%s\">%s %s</span>", verdict_class(verdict), verdict_sign(verdict),
-            bl_verdict_word(verdict));
-}
-
-static void put_unit(FILE *out, const bl_claim *claim) {
-    bl_html_tagged(out, claim->unit[0] ? " " : "", claim->unit, "");
-}
-
-static void put_expected(FILE *out, const bl_claim *claim) {
-    if (isinf(claim->expected_lower) && isinf(claim->expected_upper))
-        fputs("any", out);
-    else if (isinf(claim->expected_lower))
-        fprintf(out, "at most %.4g", claim->expected_upper);
-    else if (isinf(claim->expected_upper))
-        fprintf(out, "at least %.4g", claim->expected_lower);
-    else
-        fprintf(out, "%.4g to %.4g", claim->expected_lower, claim->expected_upper);
-    put_unit(out, claim);
-}
-
-static void put_measured(FILE *out, const bl_claim *claim) {
-    fprintf(out, "%.4g", claim->measured.value);
-    put_unit(out, claim);
-}
-
-static void put_interval(FILE *out, const bl_claim *claim) {
-    const bl_estimate *m = &claim->measured;
-    if (m->level >= 1) {
-        fputs("exact", out);
-    } else if (m->level > 0) {
-        fprintf(out, "%.4g to %.4g", m->lower, m->upper);
-        put_unit(out, claim);
-        fprintf(out, " (%g&nbsp;%%)", 100 * m->level);
-    } else {
-        fputs("not estimated", out);
-    }
-}
-
-static int same_sentence(const bl_claim *a, const bl_claim *b) {
-    return strcmp(a->sentence, b->sentence) == 0 && strcmp(a->source, b->source) == 0;
-}
-
-// A row that names the claim, then one row for each reading of it.
-static void put_claim(FILE *out, const bl_claim *claim, int first) {
-    if (first) {
-        bl_html_tagged(out, "<tr class=\"claim\"><th colspan=\"6\" scope=\"rowgroup\">",
-                       claim->sentence, "");
-        bl_html_tagged(out, " <span>", claim->source, "</span></th></tr>\n");
-    }
-    bl_html_tagged(out, "<tr><td data-label=\"reading\"><span>", claim->reading,
-                   "</span></td><td data-label=\"expected\"><span>");
-    put_expected(out, claim);
-    fputs("</span></td><td class=\"number\" data-label=\"measured\"><span>", out);
-    put_measured(out, claim);
-    fputs("</span></td><td class=\"number\" data-label=\"interval\"><span>", out);
-    put_interval(out, claim);
-    fprintf(out, "</span></td><td class=\"number\" data-label=\"samples\"><span>%.10g ",
-            claim->measured.samples);
-    bl_html_tagged(out, "", claim->counted ? claim->counted : "", "");
-    fputs("</span></td><td data-label=\"verdict\">", out);
-    put_verdict(out, claim->verdict);
-    fputs("</td></tr>\n", out);
-}
-
-static void put_claims(FILE *out, const bl_figure_result *result) {
-    if (result->claim_count == 0)
-        return;
-    fputs(
-        "<h3>Claims</h3>\n<table><thead><tr><th>Reading</th><th>Expected</th><th>Measured</th>"
-        "<th>Interval</th><th>Samples</th><th>Verdict</th></tr></thead>\n<tbody>\n",
-        out);
-    for (size_t i = 0; i < result->claim_count; i++)
-        put_claim(out, &result->claims[i],
-                  i == 0 || !same_sentence(&result->claims[i - 1], &result->claims[i]));
-    fputs("</tbody></table>\n", out);
-}
-
 static void put_words(FILE *out, const bl_term *words) {
     fputs("<dl>\n", out);
     for (; words->name; words++) {
@@ -201,65 +114,11 @@ static bl_status put_figure(FILE *out, const bl_run_view *view, bl_message *mess
         fputs("<h3>Terms</h3>\n", out);
         put_words(out, figure->terms);
     }
-    put_claims(out, result);
+    bl_page_claims(out, result);
     put_settings(out, view);
     put_files(out, result);
     fputs("</section>\n", out);
     return BL_OK;
-}
-
-static int fails(const bl_claim *claim) {
-    return claim->verdict == BL_REFUTED || claim->verdict == BL_BROKEN;
-}
-
-// One sentence, claims `from` to `to` - 1, with the readings in which it fails.
-static void put_finding(FILE *out, const bl_figure_result *result, size_t from, size_t to) {
-    size_t failing = 0;
-    for (size_t i = from; i < to; i++)
-        failing += (size_t)fails(&result->claims[i]);
-    bl_html_tagged(out, "<li>", result->claims[from].sentence, " <span class=\"soft\">");
-    bl_html_tagged(out, "", result->claims[from].source, "</span>\n<ul>\n");
-    for (size_t i = from; i < to; i++) {
-        const bl_claim *claim = &result->claims[i];
-        if (!fails(claim))
-            continue;
-        fputs("<li>", out);
-        put_verdict(out, claim->verdict);
-        bl_html_tagged(out, " ", claim->reading, ": ");
-        put_measured(out, claim);
-        fputs(", interval ", out);
-        put_interval(out, claim);
-        fputs("; expected ", out);
-        put_expected(out, claim);
-        fputs("</li>\n", out);
-    }
-    fputs("</ul>\n", out);
-    if (failing < to - from)
-        fprintf(out, "<span class=\"soft\">%zu of %zu readings</span> ", failing, to - from);
-    bl_html_tagged(out, "<a href=\"#", result->figure->name, "\">");
-    bl_html_tagged(out, "", result->figure->name, "</a></li>\n");
-}
-
-// The claims that somebody should read first, each with a link to its figure.
-static void put_findings(FILE *out, const bl_run_view *views, size_t count) {
-    int any = 0;
-    for (size_t f = 0; f < count; f++) {
-        const bl_figure_result *result = views[f].result;
-        for (size_t from = 0, to; from < result->claim_count; from = to) {
-            int failing = 0;
-            for (to = from; to < result->claim_count &&
-                            same_sentence(&result->claims[from], &result->claims[to]);
-                 to++)
-                failing |= fails(&result->claims[to]);
-            if (!failing)
-                continue;
-            fputs(any ? "" : "<section>\n<h2>What does not hold</h2>\n<ol class=\"findings\">\n",
-                  out);
-            any = 1;
-            put_finding(out, result, from, to);
-        }
-    }
-    fputs(any ? "</ol>\n</section>\n" : "", out);
 }
 
 static size_t count_claims(const bl_run_view *views, size_t count) {
@@ -283,7 +142,7 @@ static void put_tally(FILE *out, const bl_run_view *views, size_t count) {
         if (verdicts[v] == 0 && (v == BL_NOT_RUN || v == BL_UNDECIDED))
             continue;
         fprintf(out, "<li><b>%zu</b>", verdicts[v]);
-        put_verdict(out, (bl_verdict)v);
+        bl_page_verdict(out, (bl_verdict)v);
         fputs("</li>\n", out);
     }
     fputs("</ul>\n", out);
@@ -347,7 +206,7 @@ bl_status bl_page_write(const char *path, const bl_run_view *views, size_t count
         put_tally(out, views, count);
     put_contents(out, views, count);
     fputs("</header>\n<main>\n", out);
-    put_findings(out, views, count);
+    bl_page_findings(out, views, count);
     if (claims)
         put_guide(out);
     for (size_t i = 0; i < count && status == BL_OK; i++)

@@ -17,10 +17,11 @@
 #include "core/grammar.h"
 #include "include/bandlimit_plugin.h"
 #include "reports/crash.h"
+#include "reports/plugin_claims.h"
 #include "reports/shared_object.h"
 #include "reports/source_kinds.h"
 
-enum { DEFAULT_DIMS = 3, CLAIMS_ROOM = 1024 };
+enum { DEFAULT_DIMS = 3 };
 
 // What all signals of one text share.
 typedef struct plugin_source {
@@ -248,89 +249,21 @@ static bl_status find_functions(plugin_source *plugin, bandlimit_claim **claim,
     return status;
 }
 
-// What is wrong with the claims, or NULL. Comparisons with NaN, which is not stated, are false.
-static const char *find_fault(const struct bandlimit_claims *c) {
-    double range = c->upper - c->lower;
-    if (c->dims > BL_AXES)
-        return "dims is above 4";
-    if (c->lower > c->upper)
-        return "lower is above upper";
-    if (c->mean < c->lower || c->mean > c->upper)
-        return "the mean lies outside of lower to upper";
-    if (c->variance < 0)
-        return "the variance is negative";
-    if (c->variance > 0.25 * range * range * (1 + 1e-9)) // Popoviciu's inequality
-        return "the variance is more than a quarter of (upper - lower)^2, which none can be";
-    if (c->band_from < 0 || c->band_from > c->band_to || isnan(c->band_from) != isnan(c->band_to))
-        return "the band must rise from 0 or more, with both ends stated";
-    if (c->leak_db > 0)
-        return "leak_db is above 0 dB of the variance";
-    for (int a = 0; a < BL_AXES; a++)
-        if (c->period[a] < 0 || isinf(c->period[a]))
-            return "a period must be finite and not negative";
-    if (c->cell < 0 || isinf(c->cell))
-        return "the cell must be finite and not negative";
-    if (c->continuity < -2)
-        return "continuity is below -1, discontinuous, and -2, not stated";
-    if (c->flags & ~(uint32_t)BANDLIMIT_NOT_THREAD_SAFE)
-        return "flags has bits that this version does not know";
-    return NULL;
-}
-
-// Lets the plugin write its claims into a room that is larger than the struct, so that one built
-// with a later header is found out and not a danger.
 static bl_status read_claims(const plugin_source *plugin, bandlimit_claim *claim,
                              struct bandlimit_claims *claims, bl_message *message) {
-    union {
-        struct bandlimit_claims claims;
-        unsigned char bytes[CLAIMS_ROOM];
-    } room;
-    memset(room.bytes, 0xA5, sizeof room.bytes);
-    room.claims = (struct bandlimit_claims){.size = sizeof room.claims,
-                                            .lower = NAN,
-                                            .upper = NAN,
-                                            .mean = NAN,
-                                            .variance = NAN,
-                                            .band_from = NAN,
-                                            .band_to = NAN,
-                                            .leak_db = NAN,
-                                            .period = {NAN, NAN, NAN, NAN},
-                                            .cell = NAN,
-                                            .continuity = -2};
     enter(plugin);
-    if (claim)
-        claim(&room.claims);
+    int fits = bl_plugin_claims_ask(claim, claims);
     leave(plugin);
-    *claims = room.claims;
-    int beyond = 0;
-    for (size_t i = sizeof *claims; i < sizeof room.bytes; i++)
-        beyond |= room.bytes[i] != 0xA5;
-    if (claims->size != sizeof *claims || beyond)
+    if (!fits)
         return bl_report(message, BL_DEVICE,
                          "'%s': %s_claims wrote a struct of another size than the %zu bytes known "
                          "here; build it with the bandlimit_plugin.h of this version",
                          plugin->path, plugin->symbol, sizeof *claims);
-    const char *fault = find_fault(claims);
+    const char *fault = bl_plugin_claims_fault(claims);
     if (fault)
         return bl_report(message, BL_USAGE, "'%s': %s_claims: %s", plugin->path, plugin->symbol,
                          fault);
     return BL_OK;
-}
-
-static void fill_facts(bl_facts *facts, const struct bandlimit_claims *claims) {
-    facts->lower = claims->lower;
-    facts->upper = claims->upper;
-    facts->bound_proof = isnan(claims->upper) ? NULL : "claimed by the plugin";
-    facts->mean = claims->mean;
-    facts->variance = claims->variance;
-    facts->band_from = claims->band_from;
-    facts->band_to = claims->band_to;
-    facts->leak_db = claims->leak_db;
-    facts->continuity = claims->continuity;
-    memcpy(facts->period, claims->period, sizeof facts->period);
-    facts->cell = claims->cell;
-    facts->stationary = claims->stationary == 1;
-    facts->isotropic = claims->isotropic == 1;
 }
 
 static bl_status settle_dims(const plugin_source *plugin, uint32_t claimed, uint32_t *dims,
@@ -378,7 +311,7 @@ static bl_status make_signal(plugin_source *plugin, plugin_block *block, bl_sign
     made->name = "plugin";
     made->seed_offset = offsetof(plugin_block, seed);
     made->dimensions = block->dims;
-    fill_facts(&made->facts, &claims);
+    bl_plugin_claims_state(&claims, &made->facts);
     status = bl_signal_build(made, message);
     if (status == BL_OK)
         *signal = made;

@@ -14,7 +14,7 @@
 
 #include "core/grammar.h"
 #include "reports/source_kinds.h"
-#include "reports/sampled_tile.h"
+#include "reports/tile_parameters.h"
 
 enum { FLOAT32, UINT8, UINT16 };
 
@@ -56,36 +56,9 @@ static const bl_parameter raw_parameters[] = {
      .fallback = "0",
      .unit = "bytes",
      .help = "of a header that is skipped"},
-    {.key = "spacing",
-     .kind = BL_REAL,
-     .offset = AT(spacing),
-     .minimum = -1e12, // what is not above 0 has words of its own
-     .maximum = 1e12,
-     .fallback = "1",
-     .unit = "units",
-     .help = "between samples"},
-    {.key = "wrap",
-     .kind = BL_CHOICE,
-     .offset = AT(wrap),
-     .choices = bl_sampled_tile_wrap_words,
-     .fallback = "none",
-     .unit = "",
-     .help = "what stands beyond the edge"},
-    {.key = "interp",
-     .kind = BL_CHOICE,
-     .offset = AT(reading),
-     .choices = bl_sampled_tile_reading_words,
-     .fallback = "nearest",
-     .unit = "",
-     .help = "what stands between the samples"},
-    {.key = "memory",
-     .kind = BL_REAL,
-     .offset = AT(memory),
-     .minimum = 0,
-     .maximum = 1 << 24,
-     .fallback = "1024",
-     .unit = "MiB",
-     .help = "held at most; a larger file is refused"},
+    BL_SPACING_PARAMETER(raw_settings, "1", "between samples"),
+    BL_WRAP_PARAMETERS(raw_settings, "samples"),
+    BL_MEMORY_PARAMETER(raw_settings, "held at most; a larger file is refused"),
     {.key = NULL}};
 #undef AT
 

@@ -14,6 +14,7 @@
 #include "noises/radial_kernel.h"
 #include "noises/sparse_impulses.h"
 #include "noises/textbook.h"
+#include "tests/texts.h"
 
 static const char *const names[] = {"vcnoise",
                                     "scnoise",
@@ -28,15 +29,8 @@ static const char *const names[] = {"vcnoise",
                                     "scnoise:kernel=cosine"};
 enum { NAMES = sizeof names / sizeof *names };
 
-static bl_signal *open_isa(const char *text, bl_isa isa) {
-    bl_signal *signal = NULL;
-    bl_message message;
-    assert_int_equal(bl_noise_open(text, isa, &signal, &message), BL_OK);
-    return signal;
-}
-
 static bl_signal *open(const char *text) {
-    return open_isa(text, BL_ISA_BEST);
+    return bl_test_open(text, BL_ISA_BEST);
 }
 
 // --- the kernel ---------------------------------------------------------------------------------
@@ -413,7 +407,7 @@ static void test_all_instruction_sets_give_the_same_bits(void **state) {
             for (int i = 0; i < BL_ISA_COUNT; i++) {
                 if (!bl_isa_runs_here((bl_isa)i))
                     continue;
-                bl_signal *signal = open_isa(names[n], (bl_isa)i);
+                bl_signal *signal = bl_test_open(names[n], (bl_isa)i);
                 double start[BL_AXES] = {1e6 + 0.3, -7.7, 0.25, 0}, step[BL_AXES] = {0};
                 step[s % 3] = steps[s];
                 bl_signal_row(signal, start, step, COUNT, i ? actual : expected);

@@ -19,6 +19,7 @@
 #include "noises/synthesis.h"
 #include "noises/wavelet_tile.h"
 #include "tests/temporary.h"
+#include "tests/texts.h"
 
 #define ERROR_RATE 1e-6
 
@@ -28,11 +29,7 @@ static int keep_no_wisdom(void **state) {
 }
 
 static bl_signal *open_signal(const char *text) {
-    bl_signal *signal = NULL;
-    bl_message message = {""};
-    if (bl_noise_open(text, BL_ISA_BEST, &signal, &message) != BL_OK)
-        fail_msg("%s: %s", text, message.text);
-    return signal;
+    return bl_test_open(text, BL_ISA_BEST);
 }
 
 // --- powers at the harmonics --------------------------------------------------------------------

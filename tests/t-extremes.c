@@ -24,12 +24,6 @@ static void choose_place(bl_random *random, int decade, int index, double at[BL_
     }
 }
 
-// The domain ends at 2^62, or where the finest octave of a sum reaches it: 2^10 times as far as
-// where its fraction is lost, which is told to a factor of 2.
-static double domain_of(const bl_signal *signal) {
-    return signal->facts.far < 0x1p52 ? 0x1p9 * signal->facts.far : 0x1p62;
-}
-
 static double largest(const double at[BL_AXES]) {
     return fmax(fmax(fabs(at[0]), fabs(at[1])), fmax(fabs(at[2]), fabs(at[3])));
 }
@@ -43,7 +37,7 @@ static void test_floats_keep_their_tolerance_from_1e_minus_30_to_1e18(void **sta
         double range = fmax(fabs(signal->facts.lower), fabs(signal->facts.upper));
         // As in t-registry: 2^-24 is half a unit in the last place at 1, of which 32 may be spent.
         double tolerance = 32 * 0x1p-24 * fmax(1, range);
-        double domain = domain_of(signal);
+        double domain = bl_signal_domain(signal);
         for (int d = 0; d < DECADES; d++) {
             double at[PLACES][BL_AXES], column[BL_AXES][PLACES];
             float out[PLACES];
@@ -129,7 +123,7 @@ static void test_denormals_and_the_ends_of_integers_give_numbers(void **state) {
                 double at[BL_AXES] = {0.3, 0.7, 1.1, 2.9}, value[3];
                 at[axis] = places[i];
                 by_all_paths(signal, at, value);
-                for (int path = 0; path < 3 && fabs(places[i]) < domain_of(signal); path++)
+                for (int path = 0; path < 3 && fabs(places[i]) < bl_signal_domain(signal); path++)
                     if (!isfinite(value[path]))
                         fail_msg("%s: %g at %c = %.17g", list->text[n], value[path], "xyzw"[axis],
                                  places[i]);

@@ -11,8 +11,8 @@
 
 #include "core/hash.h"
 #include "core/statistics.h"
-#include "reports/source.h"
 #include "spectra/histogram.h"
+#include "tests/sources.h"
 #include "tests/test_signals.h"
 
 static bl_histogram measure(const bl_signal *signal, const bl_histogram_settings *settings) {
@@ -75,12 +75,7 @@ static void test_extremes_of_noises_stand_where_they_say(void **state) {
     (void)state;
     static const char *const names[] = {"gnoise", "vnoise", "vcnoise", "scnoise"};
     for (int i = 0; i < 5; i++) {
-        bl_signal *signal = NULL;
-        bl_message message = {""};
-        if (i == 4)
-            signal = bl_test_white(1);
-        else if (bl_source_open(names[i], BL_ISA_BEST, &signal, &message) != BL_OK)
-            fail_msg("%s", message.text);
+        bl_signal *signal = i == 4 ? bl_test_white(1) : bl_test_open_source(names[i]);
         bl_histogram_settings settings = bl_histogram_default_settings();
         settings.samples = 3 * 4096; // three blocks
         bl_histogram h = measure(signal, &settings);

@@ -11,6 +11,7 @@
 #include "reports/image.h"
 #include "reports/source.h"
 #include "spectra/psd.h"
+#include "tests/sources.h"
 
 // On a damaged PNG, libpng leaves OpenImageIO's PngReadCallback by longjmp over a string: 31 bytes
 // are lost each time, and not by us. Only stacks with that frame are forgiven; the fast unwinder
@@ -37,34 +38,6 @@ static void oiiotool(const char *words) {
         arguments[count++] = word;
     if (bl_temporary_run(bl_temporary_folder(), arguments) != 0)
         fail_msg("oiiotool %s failed", words);
-}
-
-// Opens a file of the temporary folder with settings behind its name.
-static bl_status open_it(const char *name, const char *settings, bl_signal **signal,
-                         bl_message *message) {
-    char text[1024];
-    snprintf(text, sizeof text, "%s%s", bl_temporary_path(name), settings);
-    *signal = NULL;
-    message->text[0] = '\0';
-    return bl_source_open(text, BL_ISA_BEST, signal, message);
-}
-
-static bl_signal *open_good(const char *name, const char *settings) {
-    bl_signal *signal;
-    bl_message message;
-    if (open_it(name, settings, &signal, &message) != BL_OK)
-        fail_msg("%s%s: %s", name, settings, message.text);
-    return signal;
-}
-
-static void refuse(const char *name, const char *settings, bl_status expected, const char *word) {
-    bl_signal *signal;
-    bl_message message;
-    bl_status status = open_it(name, settings, &signal, &message);
-    if (status != expected || !strstr(message.text, word))
-        fail_msg("%s%s: status %d, expected %d; '%s' should say '%s'", name, settings, status,
-                 expected, message.text, word);
-    assert_null(signal);
 }
 
 static double at(const bl_signal *signal, double x, double y) {
@@ -95,7 +68,7 @@ static void test_white_noise_has_its_variance_and_a_flat_spectrum(void **state) 
     oiiotool(
         "--create 256x256 1 --noise:type=gaussian:mean=0.5:stddev=0.25:mono=1 -d float -o "
         "white.exr");
-    bl_signal *signal = open_good("white.exr", ":spacing=0.25");
+    bl_signal *signal = bl_test_open_file("white.exr", ":spacing=0.25");
     bl_psd psd = measure_plane(signal);
     assert_near(psd.settings.rate, 4, 0);
     assert_true(psd.settings.size == 256);
@@ -118,7 +91,7 @@ static void test_a_sine_shows_as_one_line(void **state) {
     oiiotool(
         "--create 128x128 2 --point:color=64,0 12,9 --point:color=64,0 116,119 --ifft -d float "
         "-o sine.exr");
-    bl_signal *signal = open_good("sine.exr", ":spacing=0.5");
+    bl_signal *signal = bl_test_open_file("sine.exr", ":spacing=0.5");
     for (int j = 0; j < 128; j += 31)
         for (int i = 0; i < 128; i++)
             assert_near(at(signal, 0.5 * i, 0.5 * j), cos(2 * acos(-1) * (12 * i + 9 * j) / 128),
@@ -142,9 +115,9 @@ static void test_integers_are_divided_by_their_full_scale(void **state) {
     oiiotool("--pattern constant:color=0.2,0.4,0.6 8x4 3 -d uint8 -o eight.png");
     oiiotool("--pattern constant:color=0.2,0.4,0.6 8x4 3 -d uint16 -o sixteen.png");
     oiiotool("--pattern constant:color=0.2,-0.4,6 8x4 3 -d half -o half.exr");
-    bl_signal *eight = open_good("eight.png", ":channel=G");
-    bl_signal *sixteen = open_good("sixteen.png", ":channel=2");
-    bl_signal *half = open_good("half.exr", ":channel=B");
+    bl_signal *eight = bl_test_open_file("eight.png", ":channel=G");
+    bl_signal *sixteen = bl_test_open_file("sixteen.png", ":channel=2");
+    bl_signal *half = bl_test_open_file("half.exr", ":channel=B");
     assert_near(at(eight, 0, 0), 102.0 / 255, 1e-7); // no colour curve
     assert_near(at(sixteen, 7, 3), 39321.0 / 65535, 1e-7);
     assert_near(at(half, 0, 0), 6, 0);
@@ -162,8 +135,8 @@ static void test_alpha_does_not_change_the_values(void **state) {
     oiiotool(
         "--pattern constant:color=0.8,0.8,0.8,0.5 8x8 4 --iscolorspace linear --unpremult "
         "-d uint8 -o alpha.png");
-    bl_signal *colour = open_good("alpha.png", ":channel=R");
-    bl_signal *blocks = open_good("alpha.png", ":channel=R,memory=0");
+    bl_signal *colour = bl_test_open_file("alpha.png", ":channel=R");
+    bl_signal *blocks = bl_test_open_file("alpha.png", ":channel=R,memory=0");
     assert_near(at(colour, 3, 3), at(blocks, 3, 3), 0);
     assert_true(at(colour, 3, 3) > 0.79); // not 0.8 times alpha, nor that again
     bl_signal_free(colour);
@@ -210,8 +183,8 @@ static void test_rows_columns_and_points_agree_in_memory_and_in_blocks(void **st
     make_ramp(300, 200);
     static const char *const files[] = {"ramp.tif", "tiled.exr"};
     for (int f = 0; f < 2; f++) {
-        bl_signal *held = open_good(files[f], ":spacing=1/2");
-        bl_signal *blocks = open_good(files[f], ":spacing=1/2,memory=0");
+        bl_signal *held = bl_test_open_file(files[f], ":spacing=1/2");
+        bl_signal *blocks = bl_test_open_file(files[f], ":spacing=1/2,memory=0");
         check_ramp(held, 300, 200);
         check_ramp(blocks, 300, 200);
         bl_signal_free(held);
@@ -222,7 +195,7 @@ static void test_rows_columns_and_points_agree_in_memory_and_in_blocks(void **st
 static void test_a_place_takes_the_nearest_pixel_and_nan_outside(void **state) {
     (void)state;
     make_ramp(300, 200);
-    bl_signal *signal = open_good("ramp.tif", ":spacing=2");
+    bl_signal *signal = bl_test_open_file("ramp.tif", ":spacing=2");
     assert_near(at(signal, 2.9, 0), 1, 0);
     assert_near(at(signal, 3.1, 2.2), 1002, 0);
     assert_near(at(signal, 598.9, 398.9), 299 + 199000, 0);
@@ -279,31 +252,33 @@ static void test_every_bad_file_is_refused_with_its_reason(void **state) {
         char *bytes = bl_temporary_read(bl_temporary_path(from), &size);
         bl_temporary_write(bl_temporary_path(to), bytes, size / 2);
         free(bytes);
-        refuse(to, "", BL_DEVICE, "cannot read");
+        bl_test_refuse_file(to, "", BL_DEVICE, "cannot read");
     }
-    refuse("missing.exr", "", BL_DEVICE, "No such file");
-    refuse("folder.exr", "", BL_DEVICE, "folder");
-    refuse("pipe.exr", "", BL_DEVICE, "pipe");
-    refuse("empty.exr", "", BL_DEVICE, "empty");
-    refuse("text.exr", "", BL_DEVICE, "cannot read");
-    refuse("text.txt", "", BL_DEVICE, "cannot read");
-    refuse("parts.exr", "", BL_MISMATCH, "2 parts");
-    refuse("parts.exr", ":part=2", BL_USAGE, "2 parts");
-    bl_signal_free(open_good("parts.exr", ":part=1"));
+    bl_test_refuse_file("missing.exr", "", BL_DEVICE, "No such file");
+    bl_test_refuse_file("folder.exr", "", BL_DEVICE, "folder");
+    bl_test_refuse_file("pipe.exr", "", BL_DEVICE, "pipe");
+    bl_test_refuse_file("empty.exr", "", BL_DEVICE, "empty");
+    bl_test_refuse_file("text.exr", "", BL_DEVICE, "cannot read");
+    bl_test_refuse_file("text.txt", "", BL_DEVICE, "cannot read");
+    bl_test_refuse_file("parts.exr", "", BL_MISMATCH, "2 parts");
+    bl_test_refuse_file("parts.exr", ":part=2", BL_USAGE, "2 parts");
+    bl_signal_free(bl_test_open_file("parts.exr", ":part=1"));
 }
 
 static void test_a_closed_file_is_refused(void **state) {
     (void)state;
-    bl_signal *opened, *refused;
-    bl_message message, reason;
+    bl_signal *opened = NULL, *refused = NULL;
+    bl_message message = {""}, reason = {""};
     oiiotool("--create 64x64 3 --noise -d float -o open.tif");
     oiiotool("--create 64x64 3 --noise -d float -o closed.tif");
     chmod(bl_temporary_path("open.tif"), 0644);
     chmod(bl_temporary_path("closed.tif"), 0);
     if (!bl_temporary_drop_powers())
         skip(); // nothing is closed to root, who may not be another here
-    bl_status good = open_it("open.tif", "", &opened, &message);
-    bl_status bad = open_it("closed.tif", "", &refused, &reason);
+    bl_status good =
+        bl_source_open(bl_test_file_text("open.tif", ""), BL_ISA_BEST, &opened, &message);
+    bl_status bad =
+        bl_source_open(bl_test_file_text("closed.tif", ""), BL_ISA_BEST, &refused, &reason);
     bl_temporary_take_powers();
     bl_signal_free(opened);
     assert_int_equal(good, BL_OK);
@@ -330,9 +305,10 @@ static void test_damaged_bytes_never_crash(void **state) {
         snprintf(bad, sizeof bad, "bad%s", names[trial % 3] + 5);
         bl_temporary_write(bl_temporary_path(bad), bytes, size);
         free(bytes);
-        bl_signal *signal;
-        bl_message message;
-        bl_status status = open_it(bad, "", &signal, &message);
+        bl_signal *signal = NULL;
+        bl_message message = {""};
+        bl_status status =
+            bl_source_open(bl_test_file_text(bad, ""), BL_ISA_BEST, &signal, &message);
         assert_true(status == BL_OK || message.text[0]);
         if (status == BL_OK)
             (void)at(signal, 1, 1);
@@ -343,20 +319,20 @@ static void test_damaged_bytes_never_crash(void **state) {
 static void test_every_bad_setting_is_refused_with_its_reason(void **state) {
     (void)state;
     oiiotool("--create 64x64 3 --noise -d half -o good.exr");
-    refuse("good.exr", ":channel=Q", BL_USAGE, "R, G, B");
-    refuse("good.exr", ":channel=3", BL_USAGE, "0 to 2");
-    refuse("good.exr", ":channel=R,channel=G", BL_USAGE, "twice");
-    refuse("good.exr", ":spacing=0", BL_USAGE, "above 0");
-    refuse("good.exr", ":spacing=-1", BL_USAGE, "above 0");
-    refuse("good.exr", ":spacing=abc", BL_USAGE, "spacing");
-    refuse("good.exr", ":spacing=nan", BL_USAGE, "spacing");
-    refuse("good.exr", ":part=1.5", BL_USAGE, "part");
-    refuse("good.exr", ":part=-1", BL_USAGE, "part");
-    refuse("good.exr", ":chanel=R", BL_USAGE, "did you mean 'channel'");
-    refuse("good.exr", ":memory=-1", BL_USAGE, "memory");
+    bl_test_refuse_file("good.exr", ":channel=Q", BL_USAGE, "R, G, B");
+    bl_test_refuse_file("good.exr", ":channel=3", BL_USAGE, "0 to 2");
+    bl_test_refuse_file("good.exr", ":channel=R,channel=G", BL_USAGE, "twice");
+    bl_test_refuse_file("good.exr", ":spacing=0", BL_USAGE, "above 0");
+    bl_test_refuse_file("good.exr", ":spacing=-1", BL_USAGE, "above 0");
+    bl_test_refuse_file("good.exr", ":spacing=abc", BL_USAGE, "spacing");
+    bl_test_refuse_file("good.exr", ":spacing=nan", BL_USAGE, "spacing");
+    bl_test_refuse_file("good.exr", ":part=1.5", BL_USAGE, "part");
+    bl_test_refuse_file("good.exr", ":part=-1", BL_USAGE, "part");
+    bl_test_refuse_file("good.exr", ":chanel=R", BL_USAGE, "did you mean 'channel'");
+    bl_test_refuse_file("good.exr", ":memory=-1", BL_USAGE, "memory");
     oiiotool("good.exr --attrib bandlimit:spacing wide -o odd.exr");
-    refuse("odd.exr", "", BL_MISMATCH, "wide");
-    bl_signal_free(open_good("odd.exr", ":spacing=2"));
+    bl_test_refuse_file("odd.exr", "", BL_MISMATCH, "wide");
+    bl_signal_free(bl_test_open_file("odd.exr", ":spacing=2"));
 }
 
 // --- writing ------------------------------------------------------------------------------------
@@ -383,7 +359,7 @@ static void test_exr_and_tiff_keep_the_floats_and_the_spacing(void **state) {
         bl_message message = {""};
         if (bl_image_write(bl_temporary_path(names[f]), &image, &message) != BL_OK)
             fail_msg("%s", message.text);
-        bl_signal *signal = open_good(names[f], "");
+        bl_signal *signal = bl_test_open_file(names[f], "");
         assert_near(signal->extent.spacing[0], 0.1, 0);
         for (int i = 0; i < 7; i++)
             assert_near(at(signal, 0.1 * (i % 4), 0.1 * (i / 4)), (double)small[i], 0);
@@ -425,7 +401,7 @@ static void test_png_codes_are_proportional_to_the_values(void **state) {
         bl_message message = {""};
         image.bits = bits;
         assert_int_equal(bl_image_write(bl_temporary_path("small.png"), &image, &message), BL_OK);
-        bl_signal *signal = open_good("small.png", ":spacing=1");
+        bl_signal *signal = bl_test_open_file("small.png", ":spacing=1");
         for (int i = 0; i < 8; i++)
             assert_near(at(signal, i % 4, i / 4), shares[i], bits == 8 ? 0.0021 : 1e-5);
         bl_signal_free(signal);
@@ -433,7 +409,7 @@ static void test_png_codes_are_proportional_to_the_values(void **state) {
     image.black = image.white = 0; // the finite range: -2 to 2
     bl_message message = {""};
     assert_int_equal(bl_image_write(bl_temporary_path("small.png"), &image, &message), BL_OK);
-    bl_signal *signal = open_good("small.png", ":spacing=1");
+    bl_signal *signal = bl_test_open_file("small.png", ":spacing=1");
     assert_near(at(signal, 2, 0), 0.5, 0.0021);
     assert_near(at(signal, 2, 1), 0, 0);
     bl_signal_free(signal);

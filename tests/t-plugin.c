@@ -15,6 +15,7 @@
 #include "spectra/histogram.h"
 #include "spectra/psd.h"
 #include "tests/program.h"
+#include "tests/sources.h"
 
 static const char *library(void) {
     static char path[512];
@@ -23,37 +24,19 @@ static const char *library(void) {
     return path;
 }
 
-// Opens a function of the library, with settings behind its name.
-static bl_status open_it(const char *function, bl_signal **signal, bl_message *message) {
-    char text[1024];
+// LIBRARY:<function>, with settings behind its name
+static const char *text_of(const char *function) {
+    static char text[1024];
     snprintf(text, sizeof text, "%s:%s", library(), function);
-    *signal = NULL;
-    message->text[0] = '\0';
-    return bl_source_open(text, BL_ISA_BEST, signal, message);
+    return text;
 }
 
 static bl_signal *open_good(const char *function) {
-    bl_signal *signal;
-    bl_message message;
-    if (open_it(function, &signal, &message) != BL_OK)
-        fail_msg("%s: %s", function, message.text);
-    return signal;
-}
-
-static void refuse_text(const char *text, bl_status expected, const char *word) {
-    bl_signal *signal = NULL;
-    bl_message message = {""};
-    bl_status status = bl_source_open(text, BL_ISA_BEST, &signal, &message);
-    if (status != expected || !strstr(message.text, word))
-        fail_msg("%s: status %d, expected %d; '%s' should say '%s'", text, status, expected,
-                 message.text, word);
-    assert_null(signal);
+    return bl_test_open_source(text_of(function));
 }
 
 static void refuse(const char *function, bl_status expected, const char *word) {
-    char text[1024];
-    snprintf(text, sizeof text, "%s:%s", library(), function);
-    refuse_text(text, expected, word);
+    bl_test_refuse_source(text_of(function), expected, word);
 }
 
 // --- values ---
@@ -323,9 +306,7 @@ static void test_the_example_keeps_what_it_claims(void **state) {
     assert_int_equal(bl_temporary_run(NULL, make), 0);
     snprintf(text, sizeof text, "%s/examples/plugin/mynoise.so:waves", folder);
     bl_message message = {""};
-    bl_signal *signal = NULL;
-    if (bl_source_open(text, BL_ISA_BEST, &signal, &message) != BL_OK)
-        fail_msg("%s", message.text);
+    bl_signal *signal = bl_test_open_source(text);
     bl_psd_settings settings = bl_psd_default_settings(1);
     bl_psd psd;
     settings.averages = 64;
@@ -380,7 +361,7 @@ static void test_every_bad_text_is_refused_with_its_reason(void **state) {
     bl_signal_free(open_good("no_init,seed=7"));
     char text[1024];
     snprintf(text, sizeof text, "%s", library());
-    refuse_text(text, BL_USAGE, "names no function");
+    bl_test_refuse_source(text, BL_USAGE, "names no function");
 }
 
 static void test_a_failing_init_leaves_a_reseeded_signal_out(void **state) {
@@ -402,7 +383,7 @@ static void test_every_bad_file_is_refused_with_its_reason(void **state) {
     const char *const words[] = {"No such file", "cannot load", "cannot load"};
     for (int i = 0; i < 3; i++) {
         snprintf(text, sizeof text, "%s:f", bl_temporary_path(paths[i]));
-        refuse_text(text, BL_DEVICE, words[i]);
+        bl_test_refuse_source(text, BL_DEVICE, words[i]);
     }
     for (size_t part = 1; part < 16; part++) { // cut short, it must not end us with SIGBUS
         snprintf(text, sizeof text, "%s:plain", bl_temporary_path("cut.so"));
@@ -463,8 +444,7 @@ static void test_a_crash_names_the_function(void **state) {
     static const struct {
         const char *function;
         int number;
-    } cases[] = {
-        {"crash_read", SIGSEGV}, {"crash_abort", SIGABRT}, {"crash_deep", SIGSEGV}};
+    } cases[] = {{"crash_read", SIGSEGV}, {"crash_abort", SIGABRT}, {"crash_deep", SIGSEGV}};
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     skip();
 #endif

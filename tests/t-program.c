@@ -20,6 +20,7 @@
 #include "reports/source.h"
 #include "spectra/histogram.h"
 #include "tests/program.h"
+#include "tests/sources.h"
 
 // cmd<settings>:<child> <words>
 static const char *text_of(const char *settings, const char *words) {
@@ -31,21 +32,7 @@ static const char *text_of(const char *settings, const char *words) {
 }
 
 static bl_signal *open_good(const char *settings, const char *words) {
-    bl_signal *signal = NULL;
-    bl_message message = {""};
-    if (bl_source_open(text_of(settings, words), BL_ISA_BEST, &signal, &message) != BL_OK)
-        fail_msg("%s", message.text);
-    return signal;
-}
-
-static void refuse(const char *text, bl_status expected, const char *word) {
-    bl_signal *signal = NULL;
-    bl_message message = {""};
-    bl_status status = bl_source_open(text, BL_ISA_BEST, &signal, &message);
-    if (status != expected || !strstr(message.text, word))
-        fail_msg("%s: status %d, expected %d; '%s' should say '%s'", text, status, expected,
-                 message.text, word);
-    assert_null(signal);
+    return bl_test_open_source(text_of(settings, words));
 }
 
 // No child of ours is left, as a zombie or alive.
@@ -180,32 +167,32 @@ static void test_values_do_not_depend_on_the_threads(void **state) {
 
 static void test_what_is_wrong_at_once_is_told_on_opening(void **state) {
     (void)state;
-    refuse("cmd:no-such-program-anywhere", BL_DEVICE, "not in PATH");
-    refuse("cmd:./no-such-program", BL_DEVICE, "No such file");
-    refuse("cmd:./README.md", BL_DEVICE, "make it executable");
-    refuse("cmd:/tmp", BL_DEVICE, "cannot start");
-    refuse(text_of("", "0die"), BL_DEVICE, "exit status 7");
-    refuse(text_of("", "0crash"), BL_DEVICE, "signal 9");
-    refuse(text_of(",timeout=0.2", "0stall"), BL_DEVICE, "moved no byte for 0.2 s");
-    refuse(text_of(",timeout=0.2", "0little"), BL_DEVICE, "0 of 8");
-    refuse(text_of("", "0much"), BL_DEVICE, "more than it was asked");
-    refuse(text_of(",timeout=0.2", "0text"), BL_DEVICE, "looks like text");
-    refuse("cmd,timeout=0.2:sh -c 'sleep 300 & wait'", BL_DEVICE, "moved no byte");
+    bl_test_refuse_source("cmd:no-such-program-anywhere", BL_DEVICE, "not in PATH");
+    bl_test_refuse_source("cmd:./no-such-program", BL_DEVICE, "No such file");
+    bl_test_refuse_source("cmd:./README.md", BL_DEVICE, "make it executable");
+    bl_test_refuse_source("cmd:/tmp", BL_DEVICE, "cannot start");
+    bl_test_refuse_source(text_of("", "0die"), BL_DEVICE, "exit status 7");
+    bl_test_refuse_source(text_of("", "0crash"), BL_DEVICE, "signal 9");
+    bl_test_refuse_source(text_of(",timeout=0.2", "0stall"), BL_DEVICE, "moved no byte for 0.2 s");
+    bl_test_refuse_source(text_of(",timeout=0.2", "0little"), BL_DEVICE, "0 of 8");
+    bl_test_refuse_source(text_of("", "0much"), BL_DEVICE, "more than it was asked");
+    bl_test_refuse_source(text_of(",timeout=0.2", "0text"), BL_DEVICE, "looks like text");
+    bl_test_refuse_source("cmd,timeout=0.2:sh -c 'sleep 300 & wait'", BL_DEVICE, "moved no byte");
     expect_no_children();
 }
 
 static void test_every_bad_text_is_refused_with_its_reason(void **state) {
     (void)state;
-    refuse("cmd:", BL_USAGE, "names no program");
-    refuse("cmd:   ", BL_USAGE, "names no program");
-    refuse("cmd:''", BL_USAGE, "names no program");
-    refuse("cmd:cat 'x", BL_USAGE, "column 9");
-    refuse("cmd,:cat", BL_USAGE, "expected key=value");
-    refuse("cmd,dims=0:cat", BL_USAGE, "dims=0");
-    refuse("cmd,dims=5:cat", BL_USAGE, "dims=5");
-    refuse("cmd,timeout=0:cat", BL_USAGE, "timeout=0");
-    refuse("cmd,time=3:cat", BL_USAGE, "did you mean");
-    refuse("cmd,seed=3:cat", BL_USAGE, "{seed}");
+    bl_test_refuse_source("cmd:", BL_USAGE, "names no program");
+    bl_test_refuse_source("cmd:   ", BL_USAGE, "names no program");
+    bl_test_refuse_source("cmd:''", BL_USAGE, "names no program");
+    bl_test_refuse_source("cmd:cat 'x", BL_USAGE, "column 9");
+    bl_test_refuse_source("cmd,:cat", BL_USAGE, "expected key=value");
+    bl_test_refuse_source("cmd,dims=0:cat", BL_USAGE, "dims=0");
+    bl_test_refuse_source("cmd,dims=5:cat", BL_USAGE, "dims=5");
+    bl_test_refuse_source("cmd,timeout=0:cat", BL_USAGE, "timeout=0");
+    bl_test_refuse_source("cmd,time=3:cat", BL_USAGE, "did you mean");
+    bl_test_refuse_source("cmd,seed=3:cat", BL_USAGE, "{seed}");
 }
 
 static double seconds(void) {
@@ -361,8 +348,9 @@ static void test_an_answer_twice_is_not_taken_for_the_next(void **state) {
 // pieces.
 static void test_the_end_of_what_a_child_says_is_quoted(void **state) {
     (void)state;
-    refuse("cmd:sh -c 'printf \"%01000d\" 0 >&2; sleep 0.1; printf \"%050d\" 1 >&2; exit 3'",
-           BL_DEVICE, "00000000000000000000000000000000000000000000000000000000000000000001");
+    bl_test_refuse_source(
+        "cmd:sh -c 'printf \"%01000d\" 0 >&2; sleep 0.1; printf \"%050d\" 1 >&2; exit 3'",
+        BL_DEVICE, "00000000000000000000000000000000000000000000000000000000000000000001");
     bl_signal *signal = NULL;
     bl_message message = {""};
     const char *letters =
@@ -386,7 +374,7 @@ static void test_what_a_child_started_ends_with_it(void **state) {
     int file = open(pipe, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     assert_true(file >= 0);
     snprintf(text, sizeof text, "cmd,timeout=1:sh -c '(echo; exec sleep 300) >%s & wait'", pipe);
-    refuse(text, BL_DEVICE, "moved no byte");
+    bl_test_refuse_source(text, BL_DEVICE, "moved no byte");
     assert_int_equal(read(file, &byte, 1), 1); // it was there
     struct pollfd waited = {file, POLLIN, 0};
     assert_int_equal(poll(&waited, 1, 5000), 1);
@@ -402,7 +390,7 @@ static void test_a_script_without_a_first_line_is_told(void **state) {
     bl_temporary_write(bl_temporary_path("script"), "exit 3\n", 7);
     assert_int_equal(chmod(bl_temporary_path("script"), 0700), 0);
     snprintf(text, sizeof text, "cmd:%s", bl_temporary_path("script"));
-    refuse(text, BL_DEVICE, "needs a first line");
+    bl_test_refuse_source(text, BL_DEVICE, "needs a first line");
 }
 
 // "seed=" among the words of the program is its own matter.
@@ -420,9 +408,9 @@ static void test_a_child_starts_fresh(void **state) {
     struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
     sigaction(SIGPIPE, &ignore, &before);
     // ls has its standard streams and the folder open.
-    refuse("cmd:sh -c 'test $(ls /proc/self/fd | wc -l) = 4 && exit 5; exit 1'", BL_DEVICE,
-           "exit status 5");
-    refuse("cmd:sh -c 'kill -PIPE $$; exit 1'", BL_DEVICE, "signal 13");
+    bl_test_refuse_source("cmd:sh -c 'test $(ls /proc/self/fd | wc -l) = 4 && exit 5; exit 1'",
+                          BL_DEVICE, "exit status 5");
+    bl_test_refuse_source("cmd:sh -c 'kill -PIPE $$; exit 1'", BL_DEVICE, "signal 13");
     sigaction(SIGPIPE, &before, NULL);
     close(leaked);
 }
@@ -433,7 +421,8 @@ static void test_a_broken_pipe_does_not_end_the_program(void **state) {
     struct sigaction usual = {.sa_handler = SIG_DFL}, before;
     sigaction(SIGPIPE, &usual, &before);
     for (int i = 0; i < 10; i++)
-        refuse("cmd:sh -c 'exec <&-; sleep 0.02; exit 4'", BL_DEVICE, "exit status 4");
+        bl_test_refuse_source("cmd:sh -c 'exec <&-; sleep 0.02; exit 4'", BL_DEVICE,
+                              "exit status 4");
     sigaction(SIGPIPE, &before, NULL);
 }
 

@@ -198,7 +198,7 @@ static void test_a_row_that_leaves_the_domain_ends_in_nan(void **state) {
         float out[64];
         double start[BL_AXES] = {0.5, 0.5, 0.5, 0}, step[BL_AXES] = {0x1p58, 0, 0, 0};
         bl_signal_row(signal, start, step, 64, out);
-        double scale = signal->facts.far * 0x1p-52, sure = scale < 1 ? 0x1p61 * scale : 0x1p62;
+        double sure = bl_signal_domain(signal);
         for (int k = 0; k < 64; k++) {
             int beyond = k >= 16 || (k > 0 && isnan(out[k - 1]));
             if (beyond || 0.5 + k * 0x1p58 < sure)

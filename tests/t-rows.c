@@ -7,52 +7,9 @@
 #include "tests/test.h"
 
 #include "core/random.h"
-#include "noises/noise.h"
+#include "tests/texts.h"
 
-enum { LONGEST = 1100, MOST_TEXTS = 256 };
-
-typedef struct texts {
-    char text[MOST_TEXTS][64];
-    size_t count;
-} texts;
-
-static void add_text(texts *list, const char *name, const bl_parameter *parameter,
-                     const char *choice) {
-    assert_true(list->count < MOST_TEXTS);
-    char *text = list->text[list->count++];
-    const size_t size = sizeof list->text[0];
-    const char *colon = choice ? strchr(choice, ':') : NULL;
-    if (!choice)
-        snprintf(text, size, "%s", name);
-    else if (!colon)
-        snprintf(text, size, "%s:%s=%s", name, parameter->key, choice);
-    else // a choice with a number
-        snprintf(text, size, "%s:%s=%.*s:%.0f", name, parameter->key, (int)(colon - choice), choice,
-                 fmax(parameter->minimum, 100));
-}
-
-// Every noise with its defaults, and with each choice of each key.
-static const texts *all_texts(void) {
-    static texts list;
-    if (list.count)
-        return &list;
-    for (size_t i = 0; i < bl_noise_count(); i++) {
-        const bl_noise *noise = bl_noise_at(i, BL_ISA_BEST);
-        add_text(&list, noise->name, NULL, NULL);
-        for (const bl_parameter *p = noise->parameters; p->key; p++)
-            for (size_t c = 0; p->kind == BL_CHOICE && p->choices[c]; c++)
-                add_text(&list, noise->name, p, p->choices[c]);
-    }
-    return &list;
-}
-
-static bl_signal *open_signal(const char *text) {
-    bl_signal *signal = NULL;
-    bl_message message = {""};
-    if (bl_noise_open(text, BL_ISA_BEST, &signal, &message) != BL_OK)
-        fail_msg("%s: %s", text, message.text);
-    return signal;
-}
+enum { LONGEST = 1100 };
 
 static size_t below(bl_random *random, size_t count) {
     return (size_t)(bl_random_unit(random) * (double)count);
@@ -136,11 +93,11 @@ static void check_sample(const char *text, const bl_signal *signal, const double
 
 static void test_a_sample_of_a_row_is_as_alone(void **state) {
     (void)state;
-    const texts *list = all_texts();
+    const bl_texts *list = bl_test_texts();
     const size_t lines = bl_test_scaled(600, 100);
     for (size_t n = 0; n < list->count; n++) {
         bl_random random = bl_random_seed(1, 0);
-        bl_signal *signal = open_signal(list->text[n]);
+        bl_signal *signal = bl_test_open(list->text[n], BL_ISA_BEST);
         for (size_t line = 0; line < lines; line++) {
             static float row[LONGEST];
             double start[BL_AXES], step[BL_AXES];
@@ -179,11 +136,11 @@ static void choose_exact_line(bl_random *random, double start[BL_AXES], double s
 
 static void test_where_a_row_is_cut_changes_nothing(void **state) {
     (void)state;
-    const texts *list = all_texts();
+    const bl_texts *list = bl_test_texts();
     const size_t lines = bl_test_scaled(60, 20);
     for (size_t n = 0; n < list->count; n++) {
         bl_random random = bl_random_seed(2, 0);
-        bl_signal *signal = open_signal(list->text[n]);
+        bl_signal *signal = bl_test_open(list->text[n], BL_ISA_BEST);
         for (size_t line = 0; line < lines; line++) {
             static float whole[LONGEST], parts[LONGEST];
             double start[BL_AXES], step[BL_AXES], at[BL_AXES];
@@ -212,11 +169,11 @@ static void test_where_a_row_is_cut_changes_nothing(void **state) {
 static void test_a_point_beside_any_other_is_as_alone(void **state) {
     (void)state;
     enum { MANY = 150 };
-    const texts *list = all_texts();
+    const bl_texts *list = bl_test_texts();
     const size_t batches = bl_test_scaled(40, 10);
     for (size_t n = 0; n < list->count; n++) {
         bl_random random = bl_random_seed(3, 0);
-        bl_signal *signal = open_signal(list->text[n]);
+        bl_signal *signal = bl_test_open(list->text[n], BL_ISA_BEST);
         for (size_t batch = 0; batch < batches; batch++) {
             static double at[BL_AXES][MANY];
             float all[MANY], alone;
@@ -242,9 +199,9 @@ static void test_no_more_is_written_than_asked_for(void **state) {
     (void)state;
     static const size_t counts[] = {0, 1, 17, 512, 513};
     static const double steps[] = {0, 0.05, -0.5, 1.75, 9};
-    const texts *list = all_texts();
+    const bl_texts *list = bl_test_texts();
     for (size_t n = 0; n < list->count; n++) {
-        bl_signal *signal = open_signal(list->text[n]);
+        bl_signal *signal = bl_test_open(list->text[n], BL_ISA_BEST);
         for (size_t k = 0; k < 25; k++)
             for (size_t axis = 0; axis < 4; axis++) {
                 static float out[LONGEST];

@@ -11,6 +11,7 @@
 #include "noises/kernel.h"
 #include "noises/lattice.h"
 #include "noises/noise.h"
+#include "tests/texts.h"
 
 enum { REACH = 3, ACROSS = 2 * REACH + 1, SAMPLES = 40 };
 
@@ -209,11 +210,7 @@ static subject hermite_subject(uint64_t seed, int lattice) {
 // --- the comparison -----------------------------------------------------------------------------
 
 static bl_signal *open(const char *text) {
-    bl_signal *signal = NULL;
-    bl_message message = {""};
-    if (bl_noise_open(text, BL_ISA_BEST, &signal, &message) != BL_OK)
-        fail_msg("%s: %s", text, message.text);
-    return signal;
+    return bl_test_open(text, BL_ISA_BEST);
 }
 
 // Around 0 and far away, on both sides; where the loops change their way (2^27) and where the high

@@ -21,16 +21,9 @@
 #include "noises/noise.h"
 #include "spectra/psd.h"
 #include "spectra/theory.h"
+#include "tests/texts.h"
 
 enum { BANDS = 12, NAME_MOST = 128 };
-
-static bl_signal *open_noise(const char *text) {
-    bl_signal *signal = NULL;
-    bl_message message = {""};
-    if (bl_noise_open(text, BL_ISA_BEST, &signal, &message) != BL_OK)
-        fail_msg("%s", message.text);
-    return signal;
-}
 
 // --- the statistic -------------------------------------------------------------------------------
 
@@ -120,7 +113,7 @@ static void test_the_statistic_keeps_its_level(void **state) {
     for (size_t n = 0; n < 2; n++) {
         if (!bl_noise_find(names[n], BL_ISA_BEST))
             continue;
-        bl_signal *signal = open_noise(names[n]);
+        bl_signal *signal = bl_test_open(names[n], BL_ISA_BEST);
         if (!bl_signal_has_closed_form(signal)) {
             bl_signal_free(signal);
             continue;
@@ -181,7 +174,7 @@ static void check_spectrum(const bl_signal *signal, const bl_psd_settings *setti
 }
 
 static void check_noise(const char *text) {
-    bl_signal *signal = open_noise(text);
+    bl_signal *signal = bl_test_open(text, BL_ISA_BEST);
     if (bl_signal_has_closed_form(signal)) {
         // Of fewer dimensions what there is of them: of one the line along x, of two all but the
         // volume, with the oblique line in the plane.
@@ -266,7 +259,7 @@ static void test_settings_together_have_the_spectrum_they_state(void **state) {
 static void test_the_mean_and_the_variance_are_as_stated(void **state) {
     (void)state;
     for (size_t i = 0; i < bl_noise_count(); i++) {
-        bl_signal *signal = open_noise(bl_noise_at(i, BL_ISA_BEST)->name);
+        bl_signal *signal = bl_test_open(bl_noise_at(i, BL_ISA_BEST)->name, BL_ISA_BEST);
         if (bl_signal_has_closed_form(signal)) {
             bl_psd_settings settings = line_settings(signal->dimensions > 2 ? oblique : along_x,
                                                      bl_test_scaled(400, 100), 31);
@@ -290,8 +283,8 @@ static void test_the_leak_is_as_stated(void **state) {
     double directions[3][BL_AXES] = {{1, 0, 0, 0}};
     size_t count = bl_noise_count();
     for (size_t i = 0; i < count + sizeof more / sizeof *more; i++) {
-        bl_signal *signal =
-            open_noise(i < count ? bl_noise_at(i, BL_ISA_BEST)->name : more[i - count]);
+        bl_signal *signal = bl_test_open(
+            i < count ? bl_noise_at(i, BL_ISA_BEST)->name : more[i - count], BL_ISA_BEST);
         const bl_facts *facts = &signal->facts;
         if (bl_signal_has_closed_form(signal) && !isnan(facts->leak_db)) {
             double share = bl_theory_band(signal, 1, directions, facts->band_from, facts->band_to);

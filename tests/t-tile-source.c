@@ -8,36 +8,9 @@
 #include <sys/stat.h>
 
 #include "reports/image.h"
-#include "reports/source.h"
 #include "spectra/histogram.h"
 #include "spectra/psd.h"
-
-static bl_status open_it(const char *name, const char *settings, bl_signal **signal,
-                         bl_message *message) {
-    char text[1024];
-    snprintf(text, sizeof text, "%s%s", bl_temporary_path(name), settings);
-    *signal = NULL;
-    message->text[0] = '\0';
-    return bl_source_open(text, BL_ISA_BEST, signal, message);
-}
-
-static bl_signal *open_good(const char *name, const char *settings) {
-    bl_signal *signal;
-    bl_message message;
-    if (open_it(name, settings, &signal, &message) != BL_OK)
-        fail_msg("%s%s: %s", name, settings, message.text);
-    return signal;
-}
-
-static void refuse(const char *name, const char *settings, bl_status expected, const char *word) {
-    bl_signal *signal;
-    bl_message message;
-    bl_status status = open_it(name, settings, &signal, &message);
-    if (status != expected || !strstr(message.text, word))
-        fail_msg("%s%s: status %d, expected %d; '%s' should say '%s'", name, settings, status,
-                 expected, message.text, word);
-    assert_null(signal);
-}
+#include "tests/sources.h"
 
 static double at(const bl_signal *signal, double x, double y, double z) {
     const double place[BL_AXES] = {x, y, z, 0};
@@ -82,7 +55,7 @@ static double endless(int mirror, long i, long j, long k) {
 static void test_a_raw_volume_is_read_as_it_stands(void **state) {
     (void)state;
     make_volume();
-    bl_signal *signal = open_good("vol.raw", ":size=5x4x3,spacing=1/4");
+    bl_signal *signal = bl_test_open_file("vol.raw", ":size=5x4x3,spacing=1/4");
     assert_int_equal(signal->dimensions, 3);
     assert_string_equal(signal->name, "raw");
     assert_int_equal(signal->extent.size[0], 5);
@@ -117,7 +90,7 @@ static void test_all_four_axes_have_their_place(void **state) {
     for (int n = 0; n < X * Y * Z * W; n++)
         values[n] = (float)n;
     bl_temporary_write(bl_temporary_path("four.raw"), values, sizeof values);
-    bl_signal *signal = open_good("four.raw", ":size=3x2x4x5");
+    bl_signal *signal = bl_test_open_file("four.raw", ":size=3x2x4x5");
     assert_int_equal(signal->dimensions, 4);
     for (int w = 0; w < W; w++)
         for (int z = 0; z < Z; z++)
@@ -140,8 +113,8 @@ static void test_all_four_axes_have_their_place(void **state) {
 static void test_a_wrapped_tile_fills_all_space(void **state) {
     (void)state;
     make_volume();
-    bl_signal *tiles[2] = {open_good("vol.raw", ":size=5x4x3,wrap=periodic"),
-                           open_good("vol.raw", ":size=5x4x3,wrap=mirror")};
+    bl_signal *tiles[2] = {bl_test_open_file("vol.raw", ":size=5x4x3,wrap=periodic"),
+                           bl_test_open_file("vol.raw", ":size=5x4x3,wrap=mirror")};
     for (int mirror = 0; mirror < 2; mirror++) {
         const bl_signal *tile = tiles[mirror];
         assert_near(tile->facts.period[0], 5 * (1 + mirror), 0);
@@ -172,8 +145,9 @@ static void test_linear_reading_is_the_multilinear_formula(void **state) {
     (void)state;
     make_volume();
     for (int mirror = 0; mirror < 2; mirror++) {
-        bl_signal *tile = open_good("vol.raw", mirror ? ":size=5x4x3,wrap=mirror,interp=linear"
-                                                      : ":size=5x4x3,wrap=periodic,interp=linear");
+        bl_signal *tile =
+            bl_test_open_file("vol.raw", mirror ? ":size=5x4x3,wrap=mirror,interp=linear"
+                                                : ":size=5x4x3,wrap=periodic,interp=linear");
         assert_int_equal(tile->extent.size[0], 0); // a function like any other
         assert_int_equal(tile->facts.continuity, 0);
         for (int n = 0; n < 300; n++) {
@@ -203,7 +177,7 @@ static void test_cubic_reading_is_exact_for_quadratics_and_smooth(void **state) 
     for (int i = 0; i < 12; i++)
         parabola[i] = (float)(0.25 * i * i - i + 2);
     bl_temporary_write(bl_temporary_path("line.raw"), parabola, sizeof parabola);
-    bl_signal *line = open_good("line.raw", ":size=12,interp=cubic");
+    bl_signal *line = bl_test_open_file("line.raw", ":size=12,interp=cubic");
     assert_int_equal(line->dimensions, 1);
     for (double x = 1; x <= 10; x += 0.0625)
         assert_near(at(line, x, 0, 0), 0.25 * x * x - x + 2, 1e-13);
@@ -211,7 +185,7 @@ static void test_cubic_reading_is_exact_for_quadratics_and_smooth(void **state) 
     assert_true(isnan(at(line, 0.5, 0, 0))); // a place between two needs four
     bl_signal_free(line);
     make_volume();
-    bl_signal *tile = open_good("vol.raw", ":size=5x4x3,wrap=periodic,interp=cubic");
+    bl_signal *tile = bl_test_open_file("vol.raw", ":size=5x4x3,wrap=periodic,interp=cubic");
     const double h = 0x1p-20;
     assert_int_equal(tile->facts.continuity, 1);
     for (long i = -6; i < 6; i++) {
@@ -227,7 +201,7 @@ static void test_cubic_reading_is_exact_for_quadratics_and_smooth(void **state) 
 static void test_linear_reading_without_wrap_ends_at_the_last_sample(void **state) {
     (void)state;
     make_volume();
-    bl_signal *tile = open_good("vol.raw", ":size=5x4x3,interp=linear");
+    bl_signal *tile = bl_test_open_file("vol.raw", ":size=5x4x3,interp=linear");
     assert_int_equal(tile->extent.size[0], 5);
     assert_near(at(tile, 4, 3, 2), (double)sample(4, 3, 2), 0);
     assert_true(isnan(at(tile, 4.01, 3, 2)) && isnan(at(tile, -0.01, 0, 0)));
@@ -238,8 +212,8 @@ static void test_integers_and_headers_are_understood(void **state) {
     (void)state;
     static const unsigned char bytes[] = {'h', 'e', 'a', 0, 51, 255, 0, 0x80, 0xFF, 0xFF};
     bl_temporary_write(bl_temporary_path("a.raw"), bytes, sizeof bytes);
-    bl_signal *eight = open_good("a.raw", ":size=7,dtype=uint8,offset=3");
-    bl_signal *sixteen = open_good("a.raw", ":size=2x1,dtype=uint16,offset=6");
+    bl_signal *eight = bl_test_open_file("a.raw", ":size=7,dtype=uint8,offset=3");
+    bl_signal *sixteen = bl_test_open_file("a.raw", ":size=2x1,dtype=uint16,offset=6");
     assert_near(at(eight, 0, 0, 0), 0, 0);
     assert_near(at(eight, 1, 0, 0), 0.2, 1e-7);
     assert_near(at(eight, 2, 0, 0), 1, 0);
@@ -275,11 +249,11 @@ static void test_an_image_wraps_as_bare_samples_do(void **state) {
     bl_temporary_write(bl_temporary_path("tile.raw"), values, sizeof values);
     for (size_t s = 0; s < sizeof settings / sizeof *settings; s++) {
         snprintf(text, sizeof text, ":spacing=0.5%s", settings[s]);
-        bl_signal *image = open_good("tile.exr", text);
+        bl_signal *image = bl_test_open_file("tile.exr", text);
         strcat(text, ",memory=0");
-        bl_signal *blocks = open_good("tile.exr", text);
+        bl_signal *blocks = bl_test_open_file("tile.exr", text);
         snprintf(text, sizeof text, ":size=5x4,spacing=0.5%s", settings[s]);
-        bl_signal *raw = open_good("tile.raw", text);
+        bl_signal *raw = bl_test_open_file("tile.raw", text);
         assert_memory_equal(&image->extent, &raw->extent, sizeof raw->extent);
         assert_int_equal(image->facts.continuity, raw->facts.continuity);
         for (int n = 0; n < 500; n++) {
@@ -295,8 +269,8 @@ static void test_an_image_wraps_as_bare_samples_do(void **state) {
         bl_signal_free(blocks);
         bl_signal_free(raw);
     }
-    refuse("tile.exr", ":wrap=around", BL_USAGE, "none periodic mirror");
-    refuse("tile.exr", ":interp=quintic", BL_USAGE, "nearest linear cubic");
+    bl_test_refuse_file("tile.exr", ":wrap=around", BL_USAGE, "none periodic mirror");
+    bl_test_refuse_file("tile.exr", ":interp=quintic", BL_USAGE, "nearest linear cubic");
 }
 
 // --- measurements ---
@@ -317,8 +291,8 @@ static void test_wrapping_does_not_change_the_spectrum_of_the_samples(void **sta
     (void)state;
     make_image(96, 80);
     for (unsigned dims = 1; dims <= 2; dims++) {
-        bl_signal *bare = open_good("tile.exr", ""),
-                  *wrapped = open_good("tile.exr", ":wrap=mirror");
+        bl_signal *bare = bl_test_open_file("tile.exr", ""),
+                  *wrapped = bl_test_open_file("tile.exr", ":wrap=mirror");
         bl_psd one = measure(bare, dims, 0), two = measure(wrapped, dims, 0);
         assert_int_equal(one.count, two.count);
         assert_memory_equal(one.psd, two.psd, one.count * sizeof *one.psd);
@@ -339,7 +313,8 @@ static void test_linear_reading_shows_the_images_of_the_spectrum(void **state) {
     for (int i = 0; i < 64; i++)
         wave[i] = (float)cos(2 * pi * 5 * i / 64);
     bl_temporary_write(bl_temporary_path("wave.raw"), wave, sizeof wave);
-    bl_signal *signal = open_good("wave.raw", ":size=64,spacing=1/8,wrap=periodic,interp=linear");
+    bl_signal *signal =
+        bl_test_open_file("wave.raw", ":size=64,spacing=1/8,wrap=periodic,interp=linear");
     bl_psd psd = measure(signal, 1, 32);
     double first = 0, total = 0;
     for (int k = -200; k <= 200; k++) {
@@ -371,7 +346,7 @@ static void test_a_volume_is_measured_in_three_dimensions(void **state) {
         mean += (double)values[n] / (SIDE * SIDE * SIDE);
     }
     bl_temporary_write(bl_temporary_path("cube.raw"), values, sizeof values);
-    bl_signal *signal = open_good("cube.raw", ":size=24x24x24,wrap=periodic");
+    bl_signal *signal = bl_test_open_file("cube.raw", ":size=24x24x24,wrap=periodic");
     bl_psd psd = measure(signal, 3, 0);
     assert_near(psd.settings.rate, 1, 0);
     bl_histogram_settings settings = bl_histogram_default_settings();
@@ -389,37 +364,38 @@ static void test_a_volume_is_measured_in_three_dimensions(void **state) {
 static void test_every_bad_raw_file_is_refused_with_its_reason(void **state) {
     (void)state;
     make_volume();
-    refuse("vol.raw", "", BL_USAGE, "give size=");
-    refuse("vol.raw", ":spacing=2", BL_USAGE, "give size=");
-    refuse("vol.raw", ":size=5x4x4", BL_MISMATCH, "240 bytes");
-    refuse("vol.raw", ":size=5x4x4", BL_MISMATCH, "takes 320");
-    refuse("vol.raw", ":size=5x4x3,offset=4", BL_MISMATCH, "takes 244");
-    refuse("vol.raw", ":size=5x4x3,dtype=uint8", BL_MISMATCH, "takes 60");
-    refuse("vol.raw", ":size=5x4x3,offset=1/2", BL_USAGE, "whole number");
+    bl_test_refuse_file("vol.raw", "", BL_USAGE, "give size=");
+    bl_test_refuse_file("vol.raw", ":spacing=2", BL_USAGE, "give size=");
+    bl_test_refuse_file("vol.raw", ":size=5x4x4", BL_MISMATCH, "240 bytes");
+    bl_test_refuse_file("vol.raw", ":size=5x4x4", BL_MISMATCH, "takes 320");
+    bl_test_refuse_file("vol.raw", ":size=5x4x3,offset=4", BL_MISMATCH, "takes 244");
+    bl_test_refuse_file("vol.raw", ":size=5x4x3,dtype=uint8", BL_MISMATCH, "takes 60");
+    bl_test_refuse_file("vol.raw", ":size=5x4x3,offset=1/2", BL_USAGE, "whole number");
     static const char *const sizes[] = {"0x4", "5x",        "x5",          "5xx4",
                                         "5,4", "1x2x3x4x5", "99999999999", "-3x4"};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         char settings[64];
         snprintf(settings, sizeof settings, ":size=%s", sizes[i]);
-        refuse("vol.raw", settings, BL_USAGE, "as 128x128x128");
+        bl_test_refuse_file("vol.raw", settings, BL_USAGE, "as 128x128x128");
     }
-    refuse("vol.raw", ":size=2147483648x2147483648x2147483648", BL_MISMATCH, "240 bytes");
-    refuse("vol.raw", ":size=5x4x3,memory=0", BL_MISMATCH, "give memory=1");
-    refuse("vol.raw", ":size=5x4x3,spacing=0", BL_USAGE, "spacing=0");
+    bl_test_refuse_file("vol.raw", ":size=2147483648x2147483648x2147483648", BL_MISMATCH,
+                        "240 bytes");
+    bl_test_refuse_file("vol.raw", ":size=5x4x3,memory=0", BL_MISMATCH, "give memory=1");
+    bl_test_refuse_file("vol.raw", ":size=5x4x3,spacing=0", BL_USAGE, "spacing=0");
     bl_temporary_write(bl_temporary_path("noise.py"), "print()\n", 8);
-    refuse("noise.py", "", BL_USAGE, "cmd:python3 ");
+    bl_test_refuse_file("noise.py", "", BL_USAGE, "cmd:python3 ");
     bl_temporary_write(bl_temporary_path("mine.c"), "int x;\n", 7);
-    refuse("mine.c", ":mine", BL_USAGE, "-fPIC -shared");
-    refuse("vol.raw", ":size=5x4x3,spacing=-1", BL_USAGE, "above 0");
-    refuse("vol.raw", ":size=5x4x3,warp=mirror", BL_USAGE, "did you mean 'wrap'");
-    refuse("vol.raw", ":size=5x4x3,dtype=float16", BL_USAGE, "float32 uint8 uint16");
-    refuse("missing.raw", ":size=3", BL_DEVICE, "No such file");
+    bl_test_refuse_file("mine.c", ":mine", BL_USAGE, "-fPIC -shared");
+    bl_test_refuse_file("vol.raw", ":size=5x4x3,spacing=-1", BL_USAGE, "above 0");
+    bl_test_refuse_file("vol.raw", ":size=5x4x3,warp=mirror", BL_USAGE, "did you mean 'wrap'");
+    bl_test_refuse_file("vol.raw", ":size=5x4x3,dtype=float16", BL_USAGE, "float32 uint8 uint16");
+    bl_test_refuse_file("missing.raw", ":size=3", BL_DEVICE, "No such file");
     mkdir(bl_temporary_path("folder.raw"), 0777);
     mkfifo(bl_temporary_path("pipe.raw"), 0777);
-    refuse("folder.raw", ":size=3", BL_DEVICE, "folder");
-    refuse("pipe.raw", ":size=3", BL_DEVICE, "pipe");
+    bl_test_refuse_file("folder.raw", ":size=3", BL_DEVICE, "folder");
+    bl_test_refuse_file("pipe.raw", ":size=3", BL_DEVICE, "pipe");
     bl_temporary_write(bl_temporary_path("empty.raw"), "", 0);
-    refuse("empty.raw", ":size=1", BL_MISMATCH, "0 bytes");
+    bl_test_refuse_file("empty.raw", ":size=1", BL_MISMATCH, "0 bytes");
 }
 
 // Memory counts floats, whatever the file has.
@@ -427,8 +403,9 @@ static void test_the_memory_is_that_of_floats(void **state) {
     (void)state;
     static const unsigned char bytes[300000];
     bl_temporary_write(bl_temporary_path("large.raw"), bytes, sizeof bytes);
-    refuse("large.raw", ":size=300x1000,dtype=uint8,memory=1", BL_MISMATCH, "give memory=2");
-    bl_signal_free(open_good("large.raw", ":size=300x1000,dtype=uint8,memory=2"));
+    bl_test_refuse_file("large.raw", ":size=300x1000,dtype=uint8,memory=1", BL_MISMATCH,
+                        "give memory=2");
+    bl_signal_free(bl_test_open_file("large.raw", ":size=300x1000,dtype=uint8,memory=2"));
 }
 
 // Bytes that are no sensible floats are values all the same, and stop a measurement.
@@ -440,7 +417,7 @@ static void test_values_that_are_no_numbers_are_found(void **state) {
     bl_psd psd;
     memset(bytes, 0xFF, sizeof bytes);
     bl_temporary_write(bl_temporary_path("ones.raw"), bytes, sizeof bytes);
-    bl_signal *signal = open_good("ones.raw", ":size=16x16");
+    bl_signal *signal = bl_test_open_file("ones.raw", ":size=16x16");
     assert_true(isnan(at(signal, 3, 3, 0)));
     assert_int_equal(bl_psd_measure(signal, &settings, &psd, &message), BL_MISMATCH);
     assert_non_null(strstr(message.text, "nan"));

@@ -55,6 +55,27 @@ typedef struct bl_gallery_graphs {
 bl_status bl_gallery_draw_graphs(bl_run *run, const bl_gallery *gallery,
                                  const bl_gallery_graphs *graphs, bl_message *message);
 
+// --- curves -------------------------------------------------------------------------------------
+
+// One curve a signal, of values that the figure measured over an x that all of them share.
+typedef struct bl_gallery_curves {
+    const char *name; // of the data file, which has a column for each signal, and of the plot
+    const char *what; // at the head of the data file
+    const char *title, *alternative;
+    const char *x_name;       // of the first column, with the unit: "distance_cells"
+    const double *x, *values; // `points` of x, and of each signal after the other; NaN: no value
+    size_t points;
+    bl_axis x_axis, y_axis;
+    bl_stroke stroke;
+    const char *label;     // in the legend
+    const bl_limit *limit; // or NULL
+    double aspect;
+} bl_gallery_curves;
+
+// Writes NAME.csv and the plot NAME.
+bl_status bl_gallery_draw_curves(bl_run *run, const bl_gallery *gallery,
+                                 const bl_gallery_curves *curves, bl_message *message);
+
 // --- slices -------------------------------------------------------------------------------------
 
 typedef struct bl_gallery_slices {
@@ -75,16 +96,16 @@ bl_status bl_gallery_draw_slices(bl_run *run, const bl_gallery *gallery,
 
 // --- spectra ------------------------------------------------------------------------------------
 
-// One spectrum a signal. Those that could not be measured have `measured` 0 and a reason.
+// One spectrum a signal. Those that could not be measured have `measured` 0; the settings of the
+// run say why.
 typedef struct bl_gallery_spectra {
     bl_psd *psd;
     int *measured;
-    const char **reason;
     size_t count;
 } bl_gallery_spectra;
 
 // Measures with the settings given, whose seed and threads are those of the run. A signal that does
-// not fit the settings (too few dimensions, a grid too small) is left out with its reason.
+// not fit the settings (too few dimensions, a grid too small) is left out.
 bl_status bl_gallery_measure_spectra(bl_run *run, const bl_gallery *gallery,
                                      const bl_psd_settings *settings, const char *what,
                                      bl_gallery_spectra *spectra, bl_message *message);

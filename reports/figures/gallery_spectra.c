@@ -22,9 +22,8 @@ bl_status bl_gallery_measure_spectra(bl_run *run, const bl_gallery *gallery,
     settings.threads = bl_run_settings(run)->threads;
     *spectra = (bl_gallery_spectra){.psd = calloc(gallery->count, sizeof *spectra->psd),
                                     .measured = calloc(gallery->count, sizeof *spectra->measured),
-                                    .reason = calloc(gallery->count, sizeof *spectra->reason),
                                     .count = gallery->count};
-    if (!spectra->psd || !spectra->measured || !spectra->reason)
+    if (!spectra->psd || !spectra->measured)
         return bl_report(message, BL_DEVICE, "out of memory");
     for (size_t i = 0; i < gallery->count; i++) {
         bl_message why = {""};
@@ -35,13 +34,11 @@ bl_status bl_gallery_measure_spectra(bl_run *run, const bl_gallery *gallery,
             status = bl_report(&why, BL_MISMATCH, "it is constant, and has no power to show");
         }
         spectra->measured[i] = status == BL_OK;
-        if (status == BL_MISMATCH) {
-            spectra->reason[i] = bl_run_text(run, "%s", why.text);
+        if (status == BL_MISMATCH)
             bl_run_setting(run, bl_run_text(run, "no spectrum %s of %s", what, gallery->label[i]),
                            why.text);
-        } else if (status != BL_OK) {
+        else if (status != BL_OK)
             return bl_report(message, status, "%s", why.text);
-        }
     }
     return BL_OK;
 }
@@ -52,7 +49,6 @@ void bl_gallery_free_spectra(bl_gallery_spectra *spectra) {
             bl_psd_free(&spectra->psd[i]);
     free(spectra->psd);
     free(spectra->measured);
-    free(spectra->reason);
     *spectra = (bl_gallery_spectra){0};
 }
 

@@ -5,7 +5,6 @@
 // boundaries, denormals, negative zero, NaN, infinity.
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/random.h"
 #include "noises/octaves.h"
@@ -13,12 +12,6 @@
 #include "reports/figures/estimates.h"
 
 enum { LOWEST = -30, HIGHEST = 18, DECADES = HIGHEST - LOWEST + 1, PLACES = 128 };
-
-// Where the finest octave of a sum reaches the end of the domain, 2^62, before the others:
-// facts.far is 2^52 of its cells, told to a factor of 2.
-static double domain_of(const bl_signal *signal) {
-    return signal->facts.far < 0x1p52 ? 0x1p9 * signal->facts.far : 0x1p62;
-}
 
 // The largest error at places of the size 10^decade, every second one on a cell boundary of x.
 static double largest_error(const bl_signal *signal, int decade, bl_random *random) {
@@ -35,7 +28,7 @@ static double largest_error(const bl_signal *signal, int decade, bl_random *rand
     bl_signal_points(signal, (const double *const[]){at[0], at[1], at[2], at[3]}, PLACES, out);
     for (int i = 0; i < PLACES; i++) {
         const double here[BL_AXES] = {at[0][i], at[1][i], at[2][i], at[3][i]};
-        if (scale * 4 > domain_of(signal))
+        if (scale * 4 > bl_signal_domain(signal))
             return 0;
         double error = fabs((double)out[i] - bl_signal_value(signal, here));
         worst = error <= worst ? worst : error; // keeps NaN
@@ -58,7 +51,7 @@ static double count_wrong(const bl_signal *signal, const double *coordinate, siz
             bl_signal_points(signal, (const double *const[]){&at[0], &at[1], &at[2], &at[3]}, 1,
                              &out);
             double value = bl_signal_value(signal, at);
-            if (!want_nan && fabs(coordinate[i]) >= domain_of(signal))
+            if (!want_nan && fabs(coordinate[i]) >= bl_signal_domain(signal))
                 continue; // beyond the domain of the finest octave of a sum
             wrong += want_nan ? !isnan(out) || !isnan(value) : !isfinite(out) || !isfinite(value);
         }
@@ -162,54 +155,11 @@ static void claim_widths(bl_run *run, const bl_gallery *gallery) {
 
 // --- the figure ---------------------------------------------------------------------------------
 
-static bl_status draw(bl_run *run, const bl_gallery *gallery, bl_message *message) {
-    bl_series *series = calloc(gallery->count, sizeof *series);
-    bl_panel *panels = calloc(gallery->count, sizeof *panels);
-    bl_status status = series && panels ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
-    for (size_t i = 0; i < gallery->count && status == BL_OK; i++) {
-        series[i] = (bl_series){.stroke = BL_STROKE_POINTS,
-                                .ink = BL_INK_MEASURED,
-                                .file = "errors.csv",
-                                .x = "decade",
-                                .y = gallery->key[i],
-                                .label = "largest of 128 places"};
-        panels[i] = (bl_panel){gallery->label[i], &series[i], 1, NULL};
-    }
-    const bl_limit half_ulp = {0, -24 * 0.30102999566398120, NULL};
-    const bl_plot plot = {
-        .title = "How large is the error of the floats, from 1e-30 to 1e18?",
-        .x = {.label = "log10 of the coordinates", .from = LOWEST, .to = HIGHEST, .tick = 12},
-        .y = {.label = "log10 of the largest error", .from = -9, .to = -4, .tick = 1},
-        .panels = panels,
-        .panel_count = gallery->count,
-        .columns = bl_gallery_columns(gallery->count),
-        .aspect = 0.6,
-        .limits = &half_ulp,
-        .limit_count = 1};
-    if (status == BL_OK)
-        status = bl_run_plot(run, "errors", &plot,
-                             "The largest error of every noise against its reference, a point for "
-                             "each decade of the coordinates: a few units in the last place of a "
-                             "float (the dashed line is 2^-24, half a unit of 1), as large near "
-                             "the origin as far from it. No error at all has "
-                             "no point.",
-                             message);
-    free(series);
-    free(panels);
-    return status;
-}
-
-static bl_status measure(bl_run *run, const bl_gallery *gallery, bl_message *message) {
-    double *values = malloc((gallery->count + 1) * DECADES * sizeof *values);
-    bl_column *columns = malloc((gallery->count + 1) * sizeof *columns);
-    bl_status status = values && columns ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
-    for (int d = 0; d < DECADES && status == BL_OK; d++)
-        values[d] = LOWEST + d;
-    if (status == BL_OK)
-        columns[0] = (bl_column){"decade", values, NULL};
-    for (size_t i = 0; i < gallery->count && status == BL_OK; i++) {
+// log10 of the largest errors, all decades of a noise after those of another; judges each noise.
+static void measure(bl_run *run, const bl_gallery *gallery, double *values) {
+    for (size_t i = 0; i < gallery->count; i++) {
         const bl_signal *signal = gallery->signal[i];
-        double *own = values + (i + 1) * DECADES, worst = 0;
+        double *own = values + i * DECADES, worst = 0;
         bl_random random = bl_random_seed(bl_run_settings(run)->seed, 5000 + i);
         bl_run_step(run, gallery->key[i]);
         for (int d = 0; d < DECADES; d++) {
@@ -217,7 +167,6 @@ static bl_status measure(bl_run *run, const bl_gallery *gallery, bl_message *mes
             worst = error <= worst ? worst : error;
             own[d] = error > 0 ? log10(error) : NAN;
         }
-        columns[i + 1] = (bl_column){gallery->key[i], own, NULL};
         // The kernels may spend 32 halves of a unit in the last place of their range.
         double size = fmax(1, fmax(fabs(signal->facts.lower), fabs(signal->facts.upper)));
         bl_make_claim(run, "bandlimit",
@@ -228,13 +177,40 @@ static bl_status measure(bl_run *run, const bl_gallery *gallery, bl_message *mes
                       bl_observed(worst / (32 * 0x1p-24 * size), PLACES * (double)DECADES),
                       "places");
     }
-    if (status == BL_OK)
-        status = bl_run_csv(run, "errors",
-                            "log10 of the largest error against the double "
-                            "reference, by log10 of the coordinates",
-                            columns, gallery->count + 1, DECADES, message);
+}
+
+static bl_status draw_errors(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+    double decade[DECADES], *values = malloc(gallery->count * DECADES * sizeof *values);
+    if (!values)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    for (int d = 0; d < DECADES; d++)
+        decade[d] = LOWEST + d;
+    measure(run, gallery, values);
+    const bl_limit half_ulp = {0, -24 * 0.30102999566398120, NULL};
+    const bl_gallery_curves curves = {
+        .name = "errors",
+        .what =
+            "log10 of the largest error against the double reference, by log10 of the "
+            "coordinates",
+        .title = "How large is the error of the floats, from 1e-30 to 1e18?",
+        .alternative =
+            "The largest error of every noise against its reference, a point for "
+            "each decade of the coordinates: a few units in the last place of a "
+            "float (the dashed line is 2^-24, half a unit of 1), as large near "
+            "the origin as far from it. No error at all has "
+            "no point.",
+        .x_name = "decade",
+        .x = decade,
+        .values = values,
+        .points = DECADES,
+        .x_axis = {.label = "log10 of the coordinates", .from = LOWEST, .to = HIGHEST, .tick = 12},
+        .y_axis = {.label = "log10 of the largest error", .from = -9, .to = -4, .tick = 1},
+        .stroke = BL_STROKE_POINTS,
+        .label = "largest of 128 places",
+        .limit = &half_ulp,
+        .aspect = 0.6};
+    bl_status status = bl_gallery_draw_curves(run, gallery, &curves, message);
     free(values);
-    free(columns);
     return status;
 }
 
@@ -243,9 +219,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
     bl_status status = bl_all_noises_open(run, &gallery, message);
     if (status != BL_OK)
         return status;
-    status = measure(run, &gallery, message);
-    if (status == BL_OK)
-        status = draw(run, &gallery, message);
+    status = draw_errors(run, &gallery, message);
     if (status == BL_OK) {
         claim_edges(run, &gallery);
         claim_widths(run, &gallery);

@@ -127,43 +127,32 @@ static void deviation_along_edge(const bl_signal *signal, bl_random *random, siz
 
 static bl_status draw_deviations(bl_run *run, const bl_gallery *gallery, bl_message *message) {
     double x[PLACES], values[SUMS][PLACES];
-    bl_column columns[1 + SUMS] = {{"x_cells", x, NULL}};
-    bl_series series[SUMS];
-    bl_panel panels[SUMS];
     for (int i = 0; i < PLACES; i++)
         x[i] = (double)i / (PLACES - 1);
     for (size_t s = 0; s < SUMS; s++) {
         bl_random random = bl_random_seed(bl_run_settings(run)->seed, 77);
         deviation_along_edge(gallery->signal[s], &random,
                              (size_t)bl_run_pick(run, 2000, 40000, 400000), values[s]);
-        columns[1 + s] = (bl_column){gallery->key[s], values[s], NULL};
-        series[s] = (bl_series){.stroke = BL_STROKE_LINE,
-                                .ink = BL_INK_MEASURED,
-                                .file = "deviations.csv",
-                                .x = "x_cells",
-                                .y = gallery->key[s],
-                                .label = "measured"};
-        panels[s] = (bl_panel){gallery->label[s], &series[s], 1, NULL};
     }
-    bl_status status = bl_run_csv(run, "deviations",
-                                  "standard deviation along a lattice edge, over cells and seeds",
-                                  columns, 1 + SUMS, PLACES, message);
-    const bl_plot plot = {
+    const bl_gallery_curves curves = {
+        .name = "deviations",
+        .what = "standard deviation along a lattice edge, over cells and seeds",
         .title = "Where along a lattice edge do the octaves vanish?",
-        .x = {.label = "x within the cell of the lowest octave", .to = 1, .tick = 0.25},
-        .y = {.label = "standard deviation", .to = 0.3, .tick = 0.1},
-        .panels = panels,
-        .panel_count = SUMS,
-        .columns = 2,
+        .alternative =
+            "The standard deviation of four sums along an edge of the lattice of "
+            "the lowest octave. With the ratio 2 it is 0 at both ends, where all "
+            "octaves vanish together; with 2.17, or with octaves turned, it stays "
+            "above 0.1 there, and with octaves shifted above 0.05.",
+        .x_name = "x_cells",
+        .x = x,
+        .values = values[0],
+        .points = PLACES,
+        .x_axis = {.label = "x within the cell of the lowest octave", .to = 1, .tick = 0.25},
+        .y_axis = {.label = "standard deviation", .to = 0.3, .tick = 0.1},
+        .stroke = BL_STROKE_LINE,
+        .label = "measured",
         .aspect = 0.45};
-    return status == BL_OK
-               ? bl_run_plot(run, "deviations", &plot,
-                             "The standard deviation of four sums along an edge of the lattice of "
-                             "the lowest octave. With the ratio 2 it is 0 at both ends, where all "
-                             "octaves vanish together; with 2.17, or with octaves turned, it stays "
-                             "above 0.1 there, and with octaves shifted above 0.05.",
-                             message)
-               : status;
+    return bl_gallery_draw_curves(run, gallery, &curves, message);
 }
 
 // --- the figure ---------------------------------------------------------------------------------

@@ -69,44 +69,32 @@ static bl_status open_probes(probes *p, size_t count, bl_message *message) {
 static bl_status plot_correlations(bl_run *run, const bl_gallery *gallery, const probes *p,
                                    bl_message *message) {
     double distance[DISTANCES], values[TEXTS][DISTANCES];
-    bl_column columns[1 + TEXTS] = {{"distance_cells", distance, NULL}};
-    bl_series series[TEXTS];
-    bl_panel panels[TEXTS];
     for (int d = 0; d < DISTANCES; d++)
         distance[d] = d < 18 ? ldexp(1, d) : 256.0 * (double)(3 + 2 * (d - 18));
-    for (int i = 0; i < TEXTS; i++) {
+    for (int i = 0; i < TEXTS; i++)
         for (int d = 0; d < DISTANCES; d++)
             values[i][d] =
                 correlation(gallery->signal[i], distance[d], p->count, bl_run_settings(run)->seed,
                             (double **)p->at, p->here, p->there);
-        columns[1 + i] = (bl_column){gallery->key[i], values[i], NULL};
-        series[i] = (bl_series){.stroke = BL_STROKE_POINTS,
-                                .ink = BL_INK_MEASURED,
-                                .file = "correlations.csv",
-                                .x = "distance_cells",
-                                .y = gallery->key[i],
-                                .label = "measured"};
-        panels[i] = (bl_panel){gallery->label[i], &series[i], 1, NULL};
-    }
-    bl_status status = bl_run_csv(run, "correlations",
-                                  "correlation of a noise with itself some cells away along x",
-                                  columns, 1 + TEXTS, DISTANCES, message);
-    const bl_plot plot = {
+    const bl_gallery_curves curves = {
+        .name = "correlations",
+        .what = "correlation of a noise with itself some cells away along x",
         .title = "How far away does a noise come back?",
-        .x = {.label = "distance along x, cells", .from = 1, .to = 200000, .logarithmic = 1},
-        .y = {.label = "correlation", .from = -0.2, .to = 1.1, .tick = 0.2},
-        .panels = panels,
-        .panel_count = TEXTS,
-        .columns = 2,
+        .alternative =
+            "The correlation of four noises with themselves over the distance. "
+            "With the permutation it is 1 at every multiple of 256 cells and "
+            "about 0 elsewhere; with the hash it is about 0 from the second cell "
+            "on.",
+        .x_name = "distance_cells",
+        .x = distance,
+        .values = values[0],
+        .points = DISTANCES,
+        .x_axis = {.label = "distance along x, cells", .from = 1, .to = 200000, .logarithmic = 1},
+        .y_axis = {.label = "correlation", .from = -0.2, .to = 1.1, .tick = 0.2},
+        .stroke = BL_STROKE_POINTS,
+        .label = "measured",
         .aspect = 0.4};
-    return status == BL_OK
-               ? bl_run_plot(run, "correlations", &plot,
-                             "The correlation of four noises with themselves over the distance. "
-                             "With the permutation it is 1 at every multiple of 256 cells and "
-                             "about 0 elsewhere; with the hash it is about 0 from the second cell "
-                             "on.",
-                             message)
-               : status;
+    return bl_gallery_draw_curves(run, gallery, &curves, message);
 }
 
 static void claim_correlations(bl_run *run, const bl_gallery *gallery, const probes *p) {
