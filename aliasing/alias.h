@@ -22,14 +22,20 @@
 #define BL_ALIASING_ALIAS_H
 
 #include "aliasing/method.h"
+#include "aliasing/reference.h"
 #include "core/statistics.h"
 
-typedef enum bl_pixel { BL_PIXEL_BOX, BL_PIXEL_GAUSSIAN } bl_pixel; // of the reference
-
 typedef struct bl_alias_settings {
-    bl_pixel pixel;
-    unsigned oversample; // samples of G a pixel along each axis; a power of two
-    unsigned frames;     // of a pan and of a zoom; 0: no flicker
+    bl_pixel pixel;        // of the reference
+    unsigned oversample;   // samples of G a pixel along each axis
+    unsigned finest;       // those of F, at most: as many as keep its grid within 2048 x 2048
+    unsigned replicates;   // of alias and blur, at random shifts of the grid, 2 to 64; the
+                           // intervals come of their spread
+    unsigned frames;       // of a pan and of a zoom; 0: no flicker
+    unsigned rounds;       // of timing; 0: times are not taken
+    double turn_seconds;   // of timing, a turn (core/clock.h)
+    uint32_t most_samples; // of each of the four sequences of the reference, a pixel
+    double level;          // of the intervals
     uint64_t seed;
     int threads;
     const char *cache; // folder of converged references; NULL: none is kept
@@ -42,17 +48,21 @@ typedef struct bl_alias_row {
     bl_estimate alias, blur, mse, ssim, flicker;
     double psnr_db; // of a full scale of 1
     double max_error;
-    double predicted_alias, predicted_blur;      // of a stationary signal seen flat; NAN: none
-    double first_alias;                          // cycles per pixel of the strongest alias; NAN
-    double samples;                              // of the signal, a pixel
-    double ns_per_sample, ns_lowest, ns_highest; // of a pixel
+    double predicted_alias, predicted_blur; // of a stationary signal seen flat; NAN: none
+    double first_alias;                     // cycles per pixel of the strongest alias; NAN
+    double pops;    // largest change of the rms error from one frame of a slow zoom to the next
+    double samples; // of the signal, a pixel
+    double ns_per_sample, ns_lowest, ns_highest; // of a pixel: median, least and most
+    double *image; // linear red, green and blue of each pixel; owned by the result
 } bl_alias_row;
 
 typedef struct bl_alias_result {
     size_t count;
     bl_alias_row *rows;
-    double reference_error; // bound of the rms error of the converged reference
+    bl_reference reference; // the converged image
+    double reference_error; // its rms error: twice the standard error
     double seen;            // share of the pixels that see the signal
+    double mean[3];         // colour of the signal, which stands where the view sees nothing
 } bl_alias_result;
 
 // Measures the methods side by side; each pixel's time is taken interleaved with the others'.

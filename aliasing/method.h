@@ -34,6 +34,10 @@ typedef struct bl_method_kind {
                    double rgb[3]);
     // The samples of the signal that a pixel takes, for the report.
     double (*samples)(const void *parameters);
+    // Optional: the transform of the weights with which the signal is seen, at a frequency in
+    // cycles per pixel to the right and down; 1 at 0. NAN where these parameters have none: a
+    // method that is not linear, or not the same for all places.
+    double (*response)(const void *parameters, double fx, double fy);
 } bl_method_kind;
 
 size_t bl_method_count(void);
@@ -53,6 +57,14 @@ typedef struct bl_method {
 bl_status bl_method_open(const char *text, const bl_signal *signal, bl_method *method,
                          bl_message *message);
 void bl_method_close(bl_method *method);
+
+// The key whose words are the ways that the signal filters itself: "filter", or "clamp" of a sum of
+// octaves; NULL for a signal that has none.
+const char *bl_method_own_key(const bl_signal *signal);
+
+// The unfiltered colour of what the view sees at (x, y), in pixels; the background where it sees
+// nothing. What methods sample. Thread-safe.
+void bl_scene_point(const bl_scene *scene, double x, double y, double rgb[3]);
 
 // Names the descriptor of a method file: BL_METHOD_DESCRIPTOR(supersample) = {...};
 #define BL_METHOD_DESCRIPTOR(stem)                                                                 \

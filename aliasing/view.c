@@ -65,7 +65,7 @@ static bl_status open_kind(const bl_view_kind *kind, const bl_spec *spec, const 
 bl_status bl_view_open(const char *text, size_t width, size_t height, bl_view *view,
                        bl_message *message) {
     bl_spec spec;
-    *view = (bl_view){.width = width, .height = height};
+    *view = (bl_view){.width = width, .height = height, .zoom = 1};
     bl_status status = bl_spec_parse(text, &spec, message);
     if (status != BL_OK)
         return status;
@@ -84,5 +84,17 @@ void bl_view_close(bl_view *view) {
 
 int bl_view_see(const bl_view *view, double x, double y, bl_sight *sight) {
     const double size[2] = {(double)view->width, (double)view->height};
-    return view->kind->see(view->parameters, size, x, y, sight);
+    if (view->zoom == 1)
+        return view->kind->see(view->parameters, size, x + view->pan[0], y + view->pan[1], sight);
+    double factor = 1 / view->zoom, right = x + view->pan[0] - 0.5 * size[0],
+           down = y + view->pan[1] - 0.5 * size[1];
+    int seen = view->kind->see(view->parameters, size, 0.5 * size[0] + factor * right,
+                               0.5 * size[1] + factor * down, sight);
+    for (int a = 0; a < BL_AXES && seen; a++) {
+        sight->across[a] *= factor;
+        sight->down[a] *= factor;
+        for (int i = 0; i < 3; i++)
+            sight->second[a][i] *= factor * factor;
+    }
+    return seen;
 }

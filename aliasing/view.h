@@ -48,6 +48,8 @@ typedef struct bl_view {
     void *parameters;     // owned
     char *text;           // canonical, owned
     size_t width, height; // of the image, pixels
+    double zoom;          // of the image about its middle, for moving pictures; 1 when opened
+    double pan[2];        // of the image, pixels to the right and down; 0 when opened
 } bl_view;
 
 // Opens a view by its text, for images of this size; the caller ends with bl_view_close. Errors:

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-enum { MOST_WORKS = 4, MOST_ROUNDS = 101 };
+enum { MOST_ROUNDS = 101 };
 
 double bl_clock_seconds(void) {
     struct timespec time;
@@ -52,19 +52,30 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
+static bl_time summarise(double *taken, size_t rounds) {
+    qsort(taken, rounds, sizeof *taken, ascending);
+    return (bl_time){.minimum = taken[0],
+                     .median = taken[rounds / 2],
+                     .maximum = taken[rounds - 1],
+                     .lower = taken[rounds / 4],
+                     .upper = taken[rounds - 1 - rounds / 4]};
+}
+
 void bl_time_by_turns(const bl_work *works, size_t count, int rounds, double turn_seconds,
                       bl_time *times) {
-    double taken[MOST_WORKS][MOST_ROUNDS];
-    size_t runs[MOST_WORKS];
+    const size_t turns = rounds < 1 ? 1 : rounds < MOST_ROUNDS ? (size_t)rounds : MOST_ROUNDS;
+    double *taken = malloc(count * turns * sizeof *taken);
+    size_t *runs = malloc(count * sizeof *runs);
     double seconds = fmax(turn_seconds, 1000 * bl_clock_tick());
-    rounds = rounds < MOST_ROUNDS ? rounds : MOST_ROUNDS;
     for (size_t w = 0; w < count; w++)
+        times[w] = (bl_time){NAN, NAN, NAN, NAN, NAN};
+    for (size_t w = 0; taken && runs && w < count; w++)
         runs[w] = runs_of(&works[w], seconds);
-    for (int round = 0; round < rounds; round++)
+    for (size_t turn = 0; taken && runs && turn < turns; turn++)
         for (size_t w = 0; w < count; w++)
-            taken[w][round] = 1e9 * time_runs(&works[w], runs[w]) / (double)runs[w];
-    for (size_t w = 0; w < count; w++) {
-        qsort(taken[w], (size_t)rounds, sizeof taken[w][0], ascending);
-        times[w] = (bl_time){taken[w][0], taken[w][rounds / 2]};
-    }
+            taken[w * turns + turn] = 1e9 * time_runs(&works[w], runs[w]) / (double)runs[w];
+    for (size_t w = 0; taken && runs && w < count; w++)
+        times[w] = summarise(taken + w * turns, turns);
+    free(runs);
+    free(taken);
 }

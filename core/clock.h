@@ -21,11 +21,13 @@ double bl_clock_tick(void);
 
 typedef struct bl_time {
     double minimum, median; // nanoseconds a run
+    double maximum;         // with the minimum: what was seen
+    double lower, upper;    // the quarters: half of all turns lie between
 } bl_time;
 
-// Times `count` (at most 4) pieces by turns, A B A B ..., `rounds` turns each; a turn repeats its
+// Times `count` pieces by turns, A B A B ..., `rounds` (at most 101) turns each; a turn repeats its
 // piece for at least `turn_seconds` and a thousand ticks of the clock. Each piece runs once before,
-// unmeasured. Single-threaded itself.
+// unmeasured. Single-threaded itself. Without memory, all times are NaN.
 void bl_time_by_turns(const bl_work *works, size_t count, int rounds, double turn_seconds,
                       bl_time *times);
 

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "aliasing/energy.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include "core/fft.h"
+#include "core/grid.h"
+#include "spectra/memory.h"
+#include "spectra/window.h"
+
+static bl_status check_size(size_t width, size_t height, size_t oversample, bl_message *message) {
+    const double most = 0x1p28; // samples; a plan of them is still quick
+    double samples = (double)width * (double)height * (double)oversample * (double)oversample;
+    if (width < 2 || height < 2 || oversample < 1 || samples > most)
+        return bl_report(message, BL_MISMATCH,
+                         "an image of %zu x %zu pixels with %zu samples a pixel along each axis "
+                         "cannot be transformed; use 2 to 16384 samples along each axis",
+                         width, height, oversample);
+    return bl_memory_check(8.1 * samples, "the spectrum of an image", message);
+}
+
+// Fills rows of 2*(columns/2 + 1) numbers; false if a value is not finite.
+static int fill(bl_image_value value, const void *user, const bl_image_spectrum *spectrum,
+                const double shift[2], double level, const double *across, const double *down,
+                int threads) {
+    const size_t columns = spectrum->width * spectrum->oversample;
+    const size_t rows = spectrum->height * spectrum->oversample;
+    const double step = 1.0 / (double)spectrum->oversample;
+    int finite = 1;
+#pragma omp parallel for schedule(dynamic, 8) num_threads(bl_thread_count(threads))                \
+    reduction(&& : finite)
+    for (size_t j = 0; j < rows; j++) {
+        double *row = spectrum->coefficient + j * 2 * (columns / 2 + 1);
+        for (size_t i = 0; i < columns; i++) {
+            double v = value(user, shift[0] + step * (double)i, shift[1] + step * (double)j);
+            finite = finite && isfinite(v);
+            row[i] = (v - level) * across[i] * down[j];
+        }
+    }
+    return finite;
+}
+
+// The weighted mean square of 1 is 1 after this: a transform of N samples has N times the sum.
+static double scale_of(const double *across, size_t columns, const double *down, size_t rows) {
+    double x = 0, y = 0;
+    for (size_t i = 0; i < columns; i++)
+        x += across[i] * across[i];
+    for (size_t j = 0; j < rows; j++)
+        y += down[j] * down[j];
+    return 1 / sqrt(x * y * (double)columns * (double)rows);
+}
+
+static bl_status transform(bl_image_value value, const void *user, const double shift[2],
+                           double level, int threads, double *window, bl_image_spectrum *spectrum,
+                           bl_message *message) {
+    const size_t columns = spectrum->width * spectrum->oversample;
+    const size_t rows = spectrum->height * spectrum->oversample;
+    const bl_fft_shape shape = {.kind = BL_FFT_REAL,
+                                .precision = BL_FFT_DOUBLE,
+                                .dims = 2,
+                                .size = {rows, columns},
+                                .threads = 1};
+    const bl_fft *plan;
+    double *down = window + columns;
+    bl_window_fill(BL_WINDOW_HANN, columns, window);
+    bl_window_fill(BL_WINDOW_HANN, rows, down);
+    bl_status status = bl_fft_plan(&shape, &plan, message);
+    if (status != BL_OK)
+        return status;
+    if (!fill(value, user, spectrum, shift, level, window, down, threads))
+        return bl_report(message, BL_MISMATCH,
+                         "the image is not finite everywhere; use a view "
+                         "that sees the signal only where it has values");
+    bl_fft_run(plan, spectrum->coefficient);
+    double scale = scale_of(window, columns, down, rows);
+    for (size_t i = 0; i < rows * 2 * (columns / 2 + 1); i++)
+        spectrum->coefficient[i] *= scale;
+    return BL_OK;
+}
+
+bl_status bl_image_spectrum_take(bl_image_value value, const void *user, size_t width,
+                                 size_t height, size_t oversample, const double shift[2],
+                                 double level, int threads, bl_image_spectrum *spectrum,
+                                 bl_message *message) {
+    bl_status status = check_size(width, height, oversample, message);
+    if (status != BL_OK)
+        return status;
+    size_t columns = width * oversample, rows = height * oversample;
+    double *window = malloc((columns + rows) * sizeof *window);
+    *spectrum = (bl_image_spectrum){width, height, oversample,
+                                    bl_fft_buffer(rows * 2 * (columns / 2 + 1) * sizeof(double))};
+    if (!window || !spectrum->coefficient)
+        status = bl_report(message, BL_DEVICE, "out of memory for the spectrum of an image");
+    else
+        status = transform(value, user, shift, level, threads, window, spectrum, message);
+    free(window);
+    if (status != BL_OK)
+        bl_image_spectrum_free(spectrum);
+    return status;
+}
+
+void bl_image_spectrum_free(bl_image_spectrum *spectrum) {
+    free(spectrum->coefficient);
+    *spectrum = (bl_image_spectrum){0};
+}
+
+// The coefficient at k cycles across and m down the image, k >= 0; its place in the rows.
+static const double *at(const bl_image_spectrum *spectrum, size_t k, int64_t m) {
+    size_t columns = spectrum->width * spectrum->oversample;
+    size_t rows = spectrum->height * spectrum->oversample;
+    size_t row = m < 0 ? rows - (size_t)-m : (size_t)m;
+    return spectrum->coefficient + (row * (columns / 2 + 1) + k) * 2;
+}
+
+// A frequency across stands for its negative too, but for 0 and the last of an even size.
+static double weight_of(const bl_image_spectrum *spectrum, size_t k) {
+    size_t columns = spectrum->width * spectrum->oversample;
+    return k == 0 || 2 * k == columns ? 1 : 2;
+}
+
+static double folded(double frequency) {
+    return fabs(frequency - nearbyint(frequency));
+}
+
+// Keeps the strongest coefficient beyond the limit.
+static void note_strongest(double energy, double fx, double fy, double *most,
+                           bl_energies *energies) {
+    if (!(energy > *most))
+        return;
+    *most = energy;
+    energies->strongest[0] = fx;
+    energies->strongest[1] = fy;
+    energies->first_alias = hypot(folded(fx), folded(fy));
+}
+
+bl_energies bl_image_energies(const bl_image_spectrum *sampled, const bl_image_spectrum *truth) {
+    const size_t columns = sampled->width * sampled->oversample;
+    const int64_t rows = (int64_t)(sampled->height * sampled->oversample);
+    const double width = (double)sampled->width, height = (double)sampled->height;
+    bl_energies energies = {.first_alias = NAN, .strongest = {NAN, NAN}};
+    double most = 0;
+    for (int64_t m = -(rows / 2) + !(rows % 2); m <= rows / 2; m++) {
+        int inside = 2.0 * fabs((double)m) < height;
+        for (size_t k = 0; k <= columns / 2; k++) {
+            const double *g = at(sampled, k, m);
+            double weight = weight_of(sampled, k), energy = weight * (g[0] * g[0] + g[1] * g[1]);
+            energies.total += energy;
+            if (!inside || 2.0 * (double)k >= width) {
+                energies.alias += energy;
+                note_strongest(energy, (double)k / width, (double)m / height, &most, &energies);
+                continue;
+            }
+            const double *f = at(truth, k, m);
+            double real = f[0] - g[0], imaginary = f[1] - g[1];
+            energies.blur += weight * (real * real + imaginary * imaginary);
+            energies.within += weight * (f[0] * f[0] + f[1] * f[1]);
+        }
+    }
+    return energies;
+}
+
+void bl_image_rings(const bl_image_spectrum *spectrum, size_t count, double *energy) {
+    const size_t columns = spectrum->width * spectrum->oversample;
+    const int64_t rows = (int64_t)(spectrum->height * spectrum->oversample);
+    const double highest = 0.5 * (double)spectrum->oversample;
+    for (size_t i = 0; i < count; i++)
+        energy[i] = 0;
+    for (int64_t m = -(rows / 2) + !(rows % 2); m <= rows / 2; m++)
+        for (size_t k = 0; k <= columns / 2; k++) {
+            double f =
+                hypot((double)k / (double)spectrum->width, (double)m / (double)spectrum->height);
+            const double *g = at(spectrum, k, m);
+            if (f < highest)
+                energy[(size_t)(f / highest * (double)count)] +=
+                    weight_of(spectrum, k) * (g[0] * g[0] + g[1] * g[1]);
+        }
+}

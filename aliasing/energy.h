@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+//
+// The energies of an image as a function of a continuous place: what lies within half a cycle per
+// pixel, and what lies beyond and folds.
+//
+// An image is sampled on a grid of several samples a pixel, its border is faded by a Hann window
+// (whose side lobes fall as the sixth power of the distance in bins, so that the jump from one
+// border to the other does not read as alias), and transformed. Energies are mean squares, weighted
+// by the square of the window: those of the middle of the image count most. A frequency of exactly
+// half a cycle per pixel counts as beyond.
+#ifndef BL_ALIASING_ENERGY_H
+#define BL_ALIASING_ENERGY_H
+
+#include <stddef.h>
+
+#include "core/status.h"
+
+// The transform of a windowed image: coefficients such that the sum of their squared sizes over all
+// frequencies is the weighted mean square.
+typedef struct bl_image_spectrum {
+    size_t width, height; // of the image, pixels
+    size_t oversample;    // samples a pixel along each axis
+    double *coefficient;  // rows of width*oversample/2 + 1 complex numbers; owned
+} bl_image_spectrum;
+
+// The value of the image at a place, in pixels.
+typedef double (*bl_image_value)(const void *user, double x, double y);
+
+// Samples the image at (x, y) = shift + (i, j) / oversample, minus `level`, in `threads` threads
+// (0: all), and transforms it. Two images of the same size and shift share their phases, whatever
+// their oversampling. On success the caller ends with bl_image_spectrum_free. Errors: BL_MISMATCH
+// for a size that the transform or the memory does not hold, and where the image is not finite;
+// BL_DEVICE out of memory.
+bl_status bl_image_spectrum_take(bl_image_value value, const void *user, size_t width,
+                                 size_t height, size_t oversample, const double shift[2],
+                                 double level, int threads, bl_image_spectrum *spectrum,
+                                 bl_message *message);
+void bl_image_spectrum_free(bl_image_spectrum *spectrum);
+
+typedef struct bl_energies {
+    double alias;        // of the sampled image, beyond half a cycle per pixel
+    double blur;         // of its difference from the true one, within
+    double within;       // of the true one, within
+    double total;        // of the sampled one
+    double first_alias;  // cycles per pixel at which the strongest alias shows: the distance of its
+                         // frequency from the nearest whole ones; NAN without alias
+    double strongest[2]; // that frequency itself, before it folds, cycles per pixel; NAN
+} bl_energies;
+
+// Compares the image that a method gives with the true one, of the same size and shift. Pure.
+bl_energies bl_image_energies(const bl_image_spectrum *sampled, const bl_image_spectrum *truth);
+
+// The energy of a spectrum by the distance of the frequency from 0, in `count` rings of equal width
+// up to half the sampling rate; the rest is left out. Pure.
+void bl_image_rings(const bl_image_spectrum *spectrum, size_t count, double *energy);
+
+#endif

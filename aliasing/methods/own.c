@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+//
+// own: the signal filters itself, for the width that the derivatives of the view give.
+//
+//   width_a = scale * estimator(da/dx, da/dy) along each axis a of the signal
+//
+// Every word of a texture's key `filter`, and of the key `clamp` of a sum of octaves, names this
+// method with that word; `own` takes the word that the signal's text has.
+//
+// Parameters
+//   width   the estimator (filters/sample_width.h)
+//   scale   a factor on it
+//   k       of the estimator `distance`: units a unit of distance
+//
+// Source: peachey2003, p. 60.
+#include <stddef.h>
+#include <string.h>
+
+#include "aliasing/method.h"
+
+typedef struct own_parameters {
+    uint32_t width;
+    double scale, k;
+} own_parameters;
+
+static void sample(const void *block, const bl_scene *scene, double x, double y, double rgb[3]) {
+    const own_parameters *p = block;
+    bl_sight sight;
+    double width[BL_AXES];
+    if (!bl_view_see(scene->view, x, y, &sight)) {
+        memcpy(rgb, scene->background, 3 * sizeof *rgb);
+        return;
+    }
+    for (int a = 0; a < BL_AXES; a++)
+        width[a] = p->scale * bl_sample_width((bl_width_estimator)p->width, sight.across[a],
+                                              sight.down[a], sight.distance, p->k);
+    bl_signal_colour(scene->signal, sight.at, width, rgb);
+}
+
+static double samples(const void *parameters) {
+    (void)parameters;
+    return 1;
+}
+
+static const bl_parameter parameters[] = {{.key = "width",
+                                           .kind = BL_CHOICE,
+                                           .offset = offsetof(own_parameters, width),
+                                           .choices = bl_width_estimator_words,
+                                           .fallback = "sum",
+                                           .unit = "",
+                                           .help = "how it is estimated from the derivatives"},
+                                          {.key = "scale",
+                                           .kind = BL_REAL,
+                                           .offset = offsetof(own_parameters, scale),
+                                           .maximum = 1e6,
+                                           .fallback = "1",
+                                           .unit = "",
+                                           .help = "a factor on the width"},
+                                          {.key = "k",
+                                           .kind = BL_REAL,
+                                           .offset = offsetof(own_parameters, k),
+                                           .maximum = 1e12,
+                                           .fallback = "0.01",
+                                           .unit = "units a unit of distance",
+                                           .help = "of width=distance"},
+                                          {.key = NULL}};
+
+BL_METHOD_DESCRIPTOR(own) = {.name = "own",
+                             .title = "the signal's own filter",
+                             .summary = "The signal filters itself for the width of a sample.",
+                             .paper = "peachey2003, p. 60",
+                             .parameters = parameters,
+                             .parameters_size = sizeof(own_parameters),
+                             .sample = sample,
+                             .samples = samples};

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+//
+// point: one sample in the middle of the pixel. No blur at all, and all of the alias.
+//
+// Source: peachey2003, p. 57.
+#include "aliasing/method.h"
+
+static void sample(const void *parameters, const bl_scene *scene, double x, double y,
+                   double rgb[3]) {
+    (void)parameters;
+    bl_scene_point(scene, x, y, rgb);
+}
+
+static double samples(const void *parameters) {
+    (void)parameters;
+    return 1;
+}
+
+static double response(const void *parameters, double fx, double fy) {
+    (void)parameters, (void)fx, (void)fy;
+    return 1;
+}
+
+static const bl_parameter parameters[] = {{.key = NULL}};
+
+BL_METHOD_DESCRIPTOR(point) = {.name = "point",
+                               .title = "point sampling",
+                               .summary = "One sample in the middle of the pixel.",
+                               .paper = "peachey2003, p. 57",
+                               .parameters = parameters,
+                               .sample = sample,
+                               .samples = samples,
+                               .response = response};

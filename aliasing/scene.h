@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// Scenes: a signal under a view, with what methods must know of both.
+#ifndef BL_ALIASING_SCENE_H
+#define BL_ALIASING_SCENE_H
+
+#include "aliasing/method.h"
+
+// A scene of the signal and the view, which must outlive it. Its mean colour is that of the signal
+// at 2^14 places within 64 units of what the view sees (an image: at what is seen); it is the
+// background too. `seen` is the share of the view that sees the signal. Errors: BL_MISMATCH if the
+// view sees nothing, or no value that is finite.
+bl_status bl_scene_make(const bl_signal *signal, const bl_view *view, uint64_t seed,
+                        bl_scene *scene, double *seen, bl_message *message);
+
+// The luminance of a pixel as a method gives it, for what samples images: `user` is a
+// bl_scene_method.
+typedef struct bl_scene_method {
+    const bl_scene *scene;
+    const bl_method_kind *kind;
+    const void *parameters;
+} bl_scene_method;
+double bl_scene_luminance(const void *user, double x, double y);
+// The same of the unfiltered signal: `user` is a bl_scene.
+double bl_scene_raw_luminance(const void *user, double x, double y);
+
+// The image of a method, 3 values a pixel, row by row, in `threads` threads (0: all).
+void bl_scene_image(const bl_scene_method *method, int threads, double *rgb);
+
+#endif

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `alias`: what each way of sampling leaves of a signal under a view.
+#include "aliasing/alias.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/alias_files.h"
+#include "cli/json.h"
+#include "cli/plain.h"
+#include "cli/verb.h"
+
+typedef struct alias_options {
+    const char *view, *size, *pixel, *cache;
+    bl_words filters;
+} alias_options;
+
+// Beside the signal's own words.
+static const char *const usual[] = {"point",
+                                    "supersample:n=2",
+                                    "supersample:n=4",
+                                    "supersample:n=4,pattern=jitter",
+                                    "supersample:n=4,pattern=sobol",
+                                    "mean"};
+enum { USUAL = sizeof usual / sizeof *usual };
+
+static bl_status read_size(const char *text, size_t size[2], bl_message *message) {
+    char word[64];
+    unsigned long long width, height;
+    snprintf(word, sizeof word, "%s", text);
+    char *cross = strchr(word, 'x');
+    if (cross)
+        *cross = '\0';
+    if (!bl_read_unsigned(word, &width) || !bl_read_unsigned(cross ? cross + 1 : word, &height) ||
+        width < 2 || height < 2 || width > 4096 || height > 4096)
+        return bl_report(message, BL_USAGE,
+                         "--size %s: not a size; use WIDTHxHEIGHT or one number, 2 to 4096 pixels",
+                         text);
+    size[0] = width;
+    size[1] = height;
+    return BL_OK;
+}
+
+// A method that this program has not yet is left out of the usual ones.
+static int is_there(const char *text) {
+    char name[64];
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
+    return bl_method_find(name) != NULL;
+}
+
+static int add_all(const bl_signal *signal, bl_words *methods) {
+    const char *key = bl_method_own_key(signal);
+    const char *const *own = key ? bl_signal_choices(signal, key) : NULL;
+    int whole = 1;
+    for (; own && *own; own++)
+        if (strcmp(*own, "none") != 0) // which is point sampling
+            whole = whole && bl_words_add(methods, *own);
+    for (size_t i = 0; i < USUAL; i++)
+        if (is_there(usual[i]))
+            whole = whole && bl_words_add(methods, usual[i]);
+    return whole;
+}
+
+static bl_status choose_methods(bl_call *call, const bl_signal *signal, bl_words *methods) {
+    const alias_options *options = call->settings;
+    int whole = 1;
+    if (options->filters.count == 0)
+        whole = add_all(signal, methods);
+    for (size_t i = 0; i < options->filters.count; i++)
+        whole = whole && (strcmp(options->filters.words[i], "all") == 0
+                              ? add_all(signal, methods)
+                              : bl_words_add(methods, options->filters.words[i]));
+    return whole ? BL_OK : bl_report(&call->message, BL_DEVICE, "out of memory");
+}
+
+static bl_alias_settings settings_of(const bl_call *call) {
+    const alias_options *options = call->settings;
+    bl_alias_settings settings = bl_alias_default_settings();
+    settings.pixel = strcmp(options->pixel, "gaussian") == 0 ? BL_PIXEL_GAUSSIAN : BL_PIXEL_BOX;
+    settings.seed = call->common.seed;
+    settings.threads = bl_call_threads(call);
+    settings.cache = options->cache;
+    if (call->common.quick) {
+        settings.replicates = 3;
+        settings.finest = 8;
+        settings.frames = 4;
+        settings.rounds = 5;
+        settings.turn_seconds = 5e-4;
+        settings.most_samples = 256;
+    } else if (call->common.full) {
+        settings.replicates = 16;
+        settings.frames = 16;
+        settings.rounds = 31;
+        settings.turn_seconds = 1e-2;
+        settings.most_samples = 1 << 14;
+    }
+    return settings;
+}
+
+// --- reports ------------------------------------------------------------------------------------
+
+static json_t *row_json(const bl_alias_row *row) {
+    json_t *object = json_object();
+    bl_json_set_text(object, "filter", row->filter);
+    bl_json_set_estimate(object, "alias", &row->alias);
+    bl_json_set_estimate(object, "blur", &row->blur);
+    bl_json_set_estimate(object, "mse", &row->mse);
+    bl_json_set_number(object, "psnr_db", row->psnr_db);
+    bl_json_set_estimate(object, "ssim", &row->ssim);
+    bl_json_set_number(object, "max_error", row->max_error);
+    bl_json_set_estimate(object, "flicker", &row->flicker);
+    bl_json_set_number(object, "pops", row->pops);
+    bl_json_set_number(object, "ns_per_sample", row->ns_per_sample);
+    bl_json_set_number(object, "ns_per_sample_lower", row->ns_lowest);
+    bl_json_set_number(object, "ns_per_sample_upper", row->ns_highest);
+    bl_json_set_number(object, "samples_per_pixel", row->samples);
+    bl_json_set_number(object, "first_alias_cycles_per_pixel", row->first_alias);
+    bl_json_set_number(object, "predicted_alias", row->predicted_alias);
+    bl_json_set_number(object, "predicted_blur", row->predicted_blur);
+    return object;
+}
+
+static void fill_json(json_t *object, const bl_call *call, const bl_signal *signal,
+                      const bl_view *view, const bl_alias_settings *settings,
+                      const bl_alias_result *result) {
+    json_t *rows = json_array();
+    bl_json_set_text(object, "signal", signal->text);
+    bl_json_set_text(object, "view", view->text);
+    bl_json_set_count(object, "width_pixels", view->width);
+    bl_json_set_count(object, "height_pixels", view->height);
+    bl_json_set_text(object, "pixel", bl_pixel_words[settings->pixel]);
+    bl_json_set_count(object, "seed", call->common.seed);
+    bl_json_set_number(object, "level", settings->level);
+    bl_json_set_count(object, "replicates", settings->replicates);
+    bl_json_set_number(object, "seen", result->seen);
+    bl_json_set_number(object, "reference_rms_error", result->reference_error);
+    bl_json_set_number(object, "reference_samples_per_pixel", result->reference.samples);
+    json_object_set_new(object, "reference_exact", json_boolean(result->reference.exact));
+    json_object_set_new(object, "reference_from_cache", json_boolean(result->reference.from_cache));
+    for (size_t i = 0; i < result->count; i++)
+        json_array_append_new(rows, row_json(&result->rows[i]));
+    json_object_set_new(object, "rows", rows);
+}
+
+static void print_table(FILE *out, const bl_signal *signal, const bl_view *view,
+                        const bl_alias_settings *settings, const bl_alias_result *result) {
+    int width = 6;
+    for (size_t i = 0; i < result->count; i++) {
+        int letters = (int)strlen(result->rows[i].filter);
+        width = letters > width ? letters : width;
+    }
+    bl_plain_text(out, signal->text);
+    fputs(" under ", out);
+    bl_plain_text(out, view->text);
+    fprintf(out, ", %zu x %zu pixels, %s pixel\n", view->width, view->height,
+            bl_pixel_words[settings->pixel]);
+    fprintf(out, "reference: %s%.4g samples a pixel, rms error below %.2g\n\n",
+            result->reference.exact ? "exact, " : "", result->reference.samples,
+            result->reference_error);
+    fprintf(out,
+            "%-*s  alias      blur       mse        psnr_db  ssim    max_error  flicker    "
+            "ns_per_sample\n",
+            width, "filter");
+    for (size_t i = 0; i < result->count; i++) {
+        const bl_alias_row *row = &result->rows[i];
+        fprintf(out, "%-*s  %-9.3g  %-9.3g  %-9.3g  %-7.4g  %-6.4f  %-9.3g  %-9.3g  %.4g\n", width,
+                row->filter, row->alias.value, row->blur.value, row->mse.value, row->psnr_db,
+                row->ssim.value, row->max_error, row->flicker.value, row->ns_per_sample);
+    }
+    fputs("\nalias, blur, mse and flicker are squares of the luminance; --json has the intervals\n",
+          out);
+}
+
+static bl_status measure(bl_call *call, const bl_signal *signal, const bl_view *view) {
+    const bl_alias_settings settings = settings_of(call);
+    bl_words methods = {0};
+    bl_alias_result result;
+    bl_status status = choose_methods(call, signal, &methods);
+    if (status == BL_OK) {
+        bl_progress(call, "measuring %zu ways to sample %s ...", methods.count, signal->text);
+        status = bl_alias_measure(signal, view, methods.words, methods.count, &settings, &result,
+                                  &call->message);
+        bl_progress(call, NULL);
+    }
+    bl_words_free(&methods);
+    if (status != BL_OK)
+        return status;
+    if (call->path)
+        status = bl_alias_files_write(call, signal, view, &result);
+    json_t *object = status == BL_OK ? bl_json_start(call) : NULL;
+    if (object)
+        fill_json(object, call, signal, view, &settings, &result);
+    else if (status == BL_OK && !call->common.quiet)
+        print_table(call->out, signal, view, &settings, &result);
+    bl_alias_free(&result);
+    return status;
+}
+
+static bl_status run_alias(bl_call *call) {
+    const alias_options *options = call->settings;
+    size_t size[2] = {0, 0};
+    bl_view view;
+    bl_signal *signal;
+    bl_status status = read_size(options->size, size, &call->message);
+    if (status == BL_OK)
+        status = bl_view_open(options->view, size[0], size[1], &view, &call->message);
+    if (status != BL_OK)
+        return status;
+    status = bl_call_open(call, call->operands.words[0], &signal);
+    if (status == BL_OK) {
+        status = measure(call, signal, &view);
+        bl_signal_free(signal);
+    }
+    bl_view_close(&view);
+    return status;
+}
+
+#define AT(member) offsetof(alias_options, member)
+static const bl_option options[] = {
+    {.name = "view",
+     .kind = BL_OPTION_WORD,
+     .offset = AT(view),
+     .value = "VIEW",
+     .fallback = "flat",
+     .help = "what the pixels see, as plane:height=1,fov=60; `bandlimit list views` shows all "
+             "(default: flat)"},
+    {.name = "filter",
+     .kind = BL_OPTION_WORDS,
+     .offset = AT(filters),
+     .value = "METHOD",
+     .help = "a way to sample: a word of the signal's own key filter (of a sum of octaves: clamp), "
+             "as integral:width=length, or point, supersample:n=4,pattern=jitter, mean; may be "
+             "repeated; all is the signal's own and the usual others (default: all)"},
+    {.name = "size",
+     .kind = BL_OPTION_WORD,
+     .offset = AT(size),
+     .value = "WxH",
+     .fallback = "128x128",
+     .help = "pixels of the image (default: 128x128)"},
+    {.name = "pixel",
+     .kind = BL_OPTION_CHOICE,
+     .offset = AT(pixel),
+     .value = "KERNEL",
+     .fallback = "box",
+     .choices = bl_pixel_words,
+     .help = "of the converged reference: box, a pixel wide, or gaussian, of a standard deviation "
+             "of half a pixel (default: box)"},
+    {.name = "cache",
+     .kind = BL_OPTION_WORD,
+     .offset = AT(cache),
+     .value = "DIR",
+     .help = "keep converged references in DIR, and take them from there; without it none is kept"},
+    {0}};
+
+const bl_verb bl_verb_alias = {
+    .name = "alias",
+    .operands = "SIGNAL",
+    .summary = "alias and blur of each filter under a view",
+    .text =
+        "Samples a texture, a primitive or a noise under a view in each of the ways asked for, and "
+        "compares the images with a converged reference: the energy that folds into the image "
+        "(alias), the energy that is missing within (blur), squared and largest error, structural "
+        "similarity, what flickers when the picture moves, and the time of a pixel. Alias and blur "
+        "are averages over random shifts of the pixels, and over fresh seeds where the signal has "
+        "one; their intervals come of the spread.",
+    .least = 1,
+    .most = 1,
+    .output = BL_OUTPUT_FOLDER,
+    .output_help =
+        "the folder to write into: the reference, the image of each filter and its "
+        "signed error, as EXR (linear) and PNG (sRGB), and alias.csv",
+    .options = options,
+    .settings_size = sizeof(alias_options),
+    .run = run_alias,
+};

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+//
+// The files of the verb `alias`: images and a table.
+#ifndef BL_CLI_ALIAS_FILES_H
+#define BL_CLI_ALIAS_FILES_H
+
+#include "aliasing/alias.h"
+#include "cli/verb.h"
+
+// Makes the folder call->path and writes alias.csv, reference.exr and .png, and of each method
+// METHOD.exr, .png and METHOD-error.exr, .png (signed, of the luminance). Errors: BL_DEVICE.
+bl_status bl_alias_files_write(bl_call *call, const bl_signal *signal, const bl_view *view,
+                               const bl_alias_result *result);
+
+#endif
