@@ -4,6 +4,7 @@
 #include "core/grammar.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,7 +40,11 @@ static bl_status read_integer(const bl_parameter *parameter, const char *value, 
 
 static bl_status read_real(const bl_parameter *parameter, const char *value, place at, double *out,
                            bl_message *message) {
-    if (!bl_read_real(value, out) || *out < parameter->minimum || *out > parameter->maximum) {
+    if (strcmp(value, "inf") == 0)
+        *out = INFINITY;
+    else if (!bl_read_real(value, out))
+        *out = NAN;
+    if (!(*out >= parameter->minimum && *out <= parameter->maximum)) {
         char expected[96];
         snprintf(expected, sizeof expected, "a number from %g to %g", parameter->minimum,
                  parameter->maximum);

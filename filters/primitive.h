@@ -53,10 +53,32 @@ extern const char *const bl_anchor_words[];
         .help = "where x stands in the width"                                                      \
     }
 
+// A key of a primitive that takes any finite number.
+#define BL_PRIMITIVE_REAL(block, name, usual, what)                                                \
+    {                                                                                              \
+        .key = #name, .kind = BL_REAL, .offset = offsetof(block, name), .minimum = -1e300,         \
+        .maximum = 1e300, .fallback = usual, .unit = "units", .help = what                         \
+    }
+
 // Where the middle of the width stands for a sample at x.
 static inline double bl_averaging_centre(const bl_averaging *averaging, double x, double width) {
     return averaging->anchor ? x + 0.5 * width : x;
 }
+
+// Whether the average stays within the bounds of the function, and its continuity class, for a
+// function of class `continuity` (bl_filter_keeps_bounds, bl_filter_continuity).
+int bl_averaging_keeps_bounds(const bl_averaging *averaging);
+int bl_averaging_continuity(const bl_averaging *averaging, int continuity);
+
+// States the period along the one axis of a primitive; 0: none.
+void bl_primitive_period(bl_facts *facts, double period);
+
+// States the facts of a continuous monotone curve that is 0 up to 0 and 1 from 1 on.
+void bl_primitive_unit_facts(const bl_averaging *averaging, bl_facts *facts);
+
+// x modulo a period other than 0, exact but for one rounding: in [0, period), or in (period, 0] for
+// a negative one, so that modulo(-x, -period) is -modulo(x, period). NaN for infinite x.
+double bl_modulo(double x, double period);
 
 // In a primitive's file, after `static double average(const block *, const bl_filter *filter,
 // double x, double width)`, which knows no anchor: the abilities of the signal, for its definition

@@ -36,25 +36,20 @@ BL_PRIMITIVE_ABILITIES(step_parameters)
 static void describe(const void *block, bl_facts *facts) {
     const step_parameters *p = block;
     *facts = bl_facts_unknown();
-    facts->lower = 0;
-    facts->upper = 1;
-    facts->bound_proof = "it has two values, and the box averages them";
+    if (bl_averaging_keeps_bounds(&p->averaging)) {
+        facts->lower = 0;
+        facts->upper = 1;
+        facts->bound_proof = "it has two values, and a nowhere negative kernel averages them";
+    }
     facts->mean = 0.5;
-    facts->continuity = p->averaging.width > 0 ? 0 : -1;
-    for (int a = 0; a < BL_AXES; a++)
-        facts->period[a] = 0;
+    facts->continuity = bl_averaging_continuity(&p->averaging, -1);
+    bl_primitive_period(facts, 0);
 }
 
-static const bl_parameter parameters[] = {{.key = "edge",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(step_parameters, edge),
-                                           .minimum = -1e300,
-                                           .maximum = 1e300,
-                                           .fallback = "0",
-                                           .unit = "units",
-                                           .help = "where it steps from 0 to 1"},
-                                          BL_AVERAGING_PARAMETERS(step_parameters),
-                                          {.key = NULL}};
+static const bl_parameter parameters[] = {
+    BL_PRIMITIVE_REAL(step_parameters, edge, "0", "where it steps from 0 to 1"),
+    BL_AVERAGING_PARAMETERS(step_parameters),
+    {.key = NULL}};
 
 BL_PRIMITIVE_DESCRIPTOR(step) = {.name = "step",
                                  .title = "step",

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// bias: a monotone curve from 0 to 1 that is b in the middle.
+//
+//   form=power     bias(x) = x^(ln b / ln (1/2))
+//   form=schlick   bias(x) = x / ((1/b - 2)(1 - x) + 1), a hyperbola without a power
+//   on [0, 1]; 0 below and 1 above
+//   filtered: the box has the exact mean (filters/unit_curve.h); other filters see
+//   filters/average.h
+//
+// Parameters
+//   b                       from 1e-9 to 1 - 1e-9, the value at 1/2
+//   form                    as above
+//   width, filter, anchor   how it is averaged (filters/primitive.h). The ideal filter, which has
+//                           no end, is refused for widths below 1/8192
+//
+// The inverse of schlick's form is that of 1 - b, exactly; that of the power is the power
+// 2^(-1 / e) for b = 2^-e, another bias, but not that of 1 - b, unless b = 1/2.
+// Bound: 0 and 1; none for filters with negative lobes. Infinite width: 1/2. NaN gives NaN,
+// infinite x 0 or 1. Source: peachey2003, p. 38; schlick1994.
+#include "filters/average.h"
+#include "filters/primitive.h"
+#include "filters/unit_curve.h"
+
+#include <math.h>
+
+typedef struct bias_parameters {
+    double b;
+    uint32_t form;
+    bl_averaging averaging;
+} bias_parameters;
+
+static double at(const void *block, size_t piece, double x) {
+    (void)piece;
+    return bl_unit_curve_value(block, x);
+}
+
+static double mean(const void *block, size_t piece, double from, double length) {
+    (void)piece;
+    return bl_unit_curve_mean(block, from, length);
+}
+
+static double average(const bias_parameters *p, const bl_filter *filter, double x, double width) {
+    static const double knot[2] = {0, 1};
+    const bl_unit_curve curve = bl_bias_curve(p->form, p->b);
+    const bl_pieces pieces = {.block = &curve,
+                              .knot = knot,
+                              .count = 2,
+                              .above = 1,
+                              .value = at,
+                              .mean = mean,
+                              .graded = 1};
+    if (isnan(x) || isnan(width))
+        return NAN;
+    if (isinf(width))
+        return 0.5;
+    return width > 0 ? bl_average_pieces(filter, &pieces, x, width)
+                     : bl_unit_curve_value(&curve, x);
+}
+
+BL_PRIMITIVE_ABILITIES(bias_parameters)
+
+static bl_status validate(const void *block, bl_message *message) {
+    const bias_parameters *p = block;
+    return bl_check_averaging(bl_filter_at(p->averaging.filter), p->averaging.width, 1, message);
+}
+
+static void describe(const void *block, bl_facts *facts) {
+    const bias_parameters *p = block;
+    *facts = bl_facts_unknown();
+    bl_primitive_unit_facts(&p->averaging, facts);
+}
+
+static const bl_parameter parameters[] = {{.key = "b",
+                                           .kind = BL_REAL,
+                                           .offset = offsetof(bias_parameters, b),
+                                           .minimum = 1e-9,
+                                           .maximum = 1 - 1e-9,
+                                           .fallback = "0.7",
+                                           .unit = "",
+                                           .help = "the value at 1/2"},
+                                          {.key = "form",
+                                           .kind = BL_CHOICE,
+                                           .offset = offsetof(bias_parameters, form),
+                                           .choices = bl_curve_words,
+                                           .fallback = "power",
+                                           .unit = "",
+                                           .help = "a power, or Schlick's ratio of two lines"},
+                                          BL_AVERAGING_PARAMETERS(bias_parameters),
+                                          {.key = NULL}};
+
+BL_PRIMITIVE_DESCRIPTOR(bias) = {.name = "bias",
+                                 .title = "bias",
+                                 .summary = "A monotone curve that is b in the middle.",
+                                 .formula = "x^(ln b / ln (1/2)), or x / ((1/b - 2)(1 - x) + 1)",
+                                 .paper = "peachey2003, p. 38",
+                                 .dimensions = 1,
+                                 .parameters = parameters,
+                                 .parameters_size = sizeof(bias_parameters),
+                                 .seed_offset = SIZE_MAX,
+                                 .validate = validate,
+                                 .describe = describe,
+                                 .functions = BL_PRIMITIVE_FUNCTIONS};

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+//
+// gamma: the curve that corrects a display, a power of x.
+//
+//   gamma(x) = x^(1 / gamma) on [0, 1]; 0 below and 1 above
+//   filtered: the box has the exact mean of the power (filters/unit_curve.h); other filters see
+//   filters/average.h
+//
+// Parameters
+//   gamma                   from 1e-6 to 1e6; above 1 it brightens. gamma = 1/g is the inverse of g
+//   width, filter, anchor   how it is averaged (filters/primitive.h). The ideal filter, which has
+//                           no end, is refused for widths below 1/8192
+//
+// Bound: 0 and 1; none for filters with negative lobes. Infinite width: 1/2, as it is 0 on one side
+// and 1 on the other. NaN gives NaN, infinite x 0 or 1. The text's pow is not defined below 0, and
+// goes on above 1; here the curve maps the unit interval to itself. Source: peachey2003, p. 37.
+#include "filters/average.h"
+#include "filters/primitive.h"
+#include "filters/unit_curve.h"
+
+#include <math.h>
+
+typedef struct gamma_parameters {
+    double gamma;
+    bl_averaging averaging;
+} gamma_parameters;
+
+static double at(const void *block, size_t piece, double x) {
+    (void)piece;
+    return bl_unit_curve_value(block, x);
+}
+
+static double mean(const void *block, size_t piece, double from, double length) {
+    (void)piece;
+    return bl_unit_curve_mean(block, from, length);
+}
+
+static double average(const gamma_parameters *p, const bl_filter *filter, double x, double width) {
+    static const double knot[2] = {0, 1};
+    const bl_unit_curve curve = bl_gamma_curve(p->gamma);
+    const bl_pieces pieces = {.block = &curve,
+                              .knot = knot,
+                              .count = 2,
+                              .above = 1,
+                              .value = at,
+                              .mean = mean,
+                              .graded = 1};
+    if (isnan(x) || isnan(width))
+        return NAN;
+    if (isinf(width))
+        return 0.5;
+    return width > 0 ? bl_average_pieces(filter, &pieces, x, width)
+                     : bl_unit_curve_value(&curve, x);
+}
+
+BL_PRIMITIVE_ABILITIES(gamma_parameters)
+
+static bl_status validate(const void *block, bl_message *message) {
+    const gamma_parameters *p = block;
+    return bl_check_averaging(bl_filter_at(p->averaging.filter), p->averaging.width, 1, message);
+}
+
+static void describe(const void *block, bl_facts *facts) {
+    const gamma_parameters *p = block;
+    *facts = bl_facts_unknown();
+    bl_primitive_unit_facts(&p->averaging, facts);
+}
+
+static const bl_parameter parameters[] = {{.key = "gamma",
+                                           .kind = BL_REAL,
+                                           .offset = offsetof(gamma_parameters, gamma),
+                                           .minimum = 1e-6,
+                                           .maximum = 1e6,
+                                           .fallback = "2.2",
+                                           .unit = "",
+                                           .help = "1 over the exponent"},
+                                          BL_AVERAGING_PARAMETERS(gamma_parameters),
+                                          {.key = NULL}};
+
+BL_PRIMITIVE_DESCRIPTOR(gamma) = {.name = "gamma",
+                                  .title = "gamma correction",
+                                  .summary = "A power of x on the unit interval.",
+                                  .formula = "x^(1 / gamma)",
+                                  .paper = "peachey2003, p. 37",
+                                  .dimensions = 1,
+                                  .parameters = parameters,
+                                  .parameters_size = sizeof(gamma_parameters),
+                                  .seed_offset = SIZE_MAX,
+                                  .validate = validate,
+                                  .describe = describe,
+                                  .functions = BL_PRIMITIVE_FUNCTIONS};

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+//
+// spline: a Catmull-Rom spline through any number of knots, numbers or colours.
+//
+//   On the span i, s = x (n - 3) - i in [0, 1], through the knots k0 .. k3 = knot i .. i + 3:
+//   k1 + s (k2 - k0)/2 + s^2 (k0 - 5/2 k1 + 2 k2 - k3/2) + s^3 (3/2 (k1 - k2) + (k3 - k0)/2)
+//   0 gives the second knot, 1 the last but one; outside of [0, 1] x is clamped
+//   filtered: the box has the exact mean of each cubic; other filters see filters/average.h
+//
+// Parameters
+//   knots                   4 to 128 of them, as 0;0.3;1;1, or colours R/G/B, linear, as
+//                           0/0/0;1/0.5/0;1/1/1;1/1/1
+//   component               which part of a colour is the value
+//   width, filter, anchor   how it is averaged (filters/primitive.h). The ideal filter, which has
+//                           no end, is refused for widths below 1/8192
+//
+// C1: the first derivatives of neighbours agree at a knot, the second do not, in general, as
+// against what the text says of it. It reproduces polynomials up to degree 2. The text's listing
+// takes one span too many at x = 1, and reads a knot past the last there (times 0).
+// Bound: of each cubic, its Bezier points (k1, k1 + (k2 - k0)/6, k2 - (k3 - k1)/6, k2) hull it;
+// none for filters with negative lobes. Infinite width: the mean of both ends. NaN gives NaN,
+// infinite x the ends. Source: peachey2003, p. 33.
+#include "filters/average.h"
+#include "filters/primitive.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { LEAST_KNOTS = 4, MOST_KNOTS = 128 };
+
+typedef struct spline_parameters {
+    char knots[BL_TEXT_SIZE];
+    uint32_t component;
+    uint32_t count, colours;
+    double knot[4][MOST_KNOTS]; // luminance, red, green, blue; a number is all four
+    double place[MOST_KNOTS];   // of the knots that it passes through
+    bl_averaging averaging;
+} spline_parameters;
+
+// Reads one knot, up to `end`, as one number or three.
+static int read_knot(const char *word, const char *end, double rgb[3], int *parts) {
+    char copy[64];
+    size_t length = (size_t)(end - word);
+    if (length == 0 || length >= sizeof copy)
+        return 0;
+    memcpy(copy, word, length);
+    copy[length] = '\0';
+    *parts = 0;
+    for (char *part = copy; part; (*parts)++) {
+        char *slash = strchr(part, '/');
+        if (slash)
+            *slash++ = '\0';
+        if (*parts == 3 || !bl_read_real(part, &rgb[*parts]) || fabs(rgb[*parts]) > 1e300)
+            return 0;
+        part = slash;
+    }
+    if (*parts == 1)
+        rgb[1] = rgb[2] = rgb[0];
+    return *parts == 1 || *parts == 3;
+}
+
+static void place_knots(spline_parameters *p) {
+    for (uint32_t i = 0; i + 2 < p->count; i++)
+        p->place[i] = (double)i / (p->count - 3);
+}
+
+static bl_status read_knots(spline_parameters *p, bl_message *message) {
+    int parts, first = 0;
+    p->count = 0;
+    for (const char *word = p->knots; word; p->count++) {
+        const char *semicolon = strchr(word, ';');
+        const char *end = semicolon ? semicolon : word + strlen(word);
+        double rgb[3] = {0};
+        if (p->count == MOST_KNOTS)
+            return bl_report(message, BL_USAGE, "knots=%s: at most %d knots", p->knots, MOST_KNOTS);
+        if (!read_knot(word, end, rgb, &parts))
+            return bl_report(message, BL_USAGE,
+                             "knots=%s: knot %u, '%.*s', is neither a number nor a colour R/G/B",
+                             p->knots, p->count + 1, (int)(end - word), word);
+        if (p->count == 0)
+            first = parts;
+        if (parts != first)
+            return bl_report(message, BL_USAGE,
+                             "knots=%s: knot %u is %s, but the first is %s; all must be alike",
+                             p->knots, p->count + 1, parts == 1 ? "a number" : "a colour",
+                             first == 1 ? "a number" : "a colour");
+        p->knot[0][p->count] =
+            parts == 1 ? rgb[0] : 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+        for (int c = 0; c < 3; c++)
+            p->knot[c + 1][p->count] = rgb[c];
+        word = semicolon ? semicolon + 1 : NULL;
+    }
+    if (p->count < LEAST_KNOTS)
+        return bl_report(message, BL_USAGE,
+                         "knots=%s: a cubic needs at least %d knots, here are %u; separate them "
+                         "with ';' and quote the text in a shell",
+                         p->knots, LEAST_KNOTS, p->count);
+    p->colours = first == 3;
+    place_knots(p);
+    return BL_OK;
+}
+
+// The knots of a span, which the cubic is made of.
+typedef struct span {
+    double value, slope, square, cube;
+} span;
+
+static span make_span(const double *k) {
+    return (span){k[1], 0.5 * (k[2] - k[0]), k[0] - 2.5 * k[1] + 2 * k[2] - 0.5 * k[3],
+                  1.5 * (k[1] - k[2]) + 0.5 * (k[3] - k[0])};
+}
+
+// One component of the spline, for the averages.
+typedef struct curve {
+    const double *knot;
+    uint32_t spans;
+} curve;
+
+static double at_span(const curve *c, size_t piece, double s) {
+    span a = make_span(c->knot + piece);
+    return ((a.cube * s + a.square) * s + a.slope) * s + a.value;
+}
+
+static double value_at(const void *block, size_t piece, double x) {
+    const curve *c = block;
+    return at_span(c, piece, fmin(fmax(x * c->spans - (double)piece, 0), 1));
+}
+
+static double mean_over(const void *block, size_t piece, double from, double length) {
+    const curve *c = block;
+    span a = make_span(c->knot + piece);
+    double h = length * c->spans, s = (from + 0.5 * length) * c->spans - (double)piece;
+    return at_span(c, piece, s) + (6 * a.cube * s + 2 * a.square) * (h * h / 24);
+}
+
+static double average_of(const spline_parameters *p, uint32_t component, const bl_filter *filter,
+                         double x, double width) {
+    const curve c = {p->knot[component], p->count - 3};
+    double first = c.knot[1], last = c.knot[p->count - 2];
+    if (isnan(x) || isnan(width))
+        return NAN;
+    if (isinf(width))
+        return 0.5 * first + 0.5 * last;
+    const bl_pieces pieces = {.block = &c,
+                              .knot = p->place,
+                              .count = p->count - 2,
+                              .below = first,
+                              .above = last,
+                              .value = value_at,
+                              .mean = mean_over};
+    if (width > 0)
+        return bl_average_pieces(filter, &pieces, x, width);
+    if (x <= 0 || x >= 1)
+        return x > 0 ? last : first;
+    double piece = fmin(floor(x * c.spans), c.spans - 1.0); // 0 <= piece < 126
+    return value_at(&c, (size_t)piece, x);
+}
+
+static double average(const spline_parameters *p, const bl_filter *filter, double x, double width) {
+    return average_of(p, p->component, filter, x, width);
+}
+
+BL_PRIMITIVE_ABILITIES(spline_parameters)
+
+static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
+                   double rgb[3]) {
+    const spline_parameters *p = block;
+    const bl_filter *filter = bl_filter_at(p->averaging.filter);
+    for (uint32_t c = 0; c < 3; c++)
+        rgb[c] = average_of(p, c + 1, filter, bl_averaging_centre(&p->averaging, at[0], width[0]),
+                            width[0]);
+}
+
+static bl_status build(void *block, bl_message *message) {
+    return read_knots(block, message);
+}
+
+static bl_status validate(const void *block, bl_message *message) {
+    spline_parameters copy = *(const spline_parameters *)block;
+    bl_status status = read_knots(&copy, message);
+    return status == BL_OK ? bl_check_averaging(bl_filter_at(copy.averaging.filter),
+                                                copy.averaging.width, 1, message)
+                           : status;
+}
+
+static void describe(const void *block, bl_facts *facts) {
+    const spline_parameters *p = block;
+    const double *k = p->knot[p->component];
+    *facts = bl_facts_unknown();
+    if (bl_averaging_keeps_bounds(&p->averaging)) {
+        facts->lower = INFINITY;
+        facts->upper = -INFINITY;
+        for (uint32_t i = 0; i + 3 < p->count; i++, k++) {
+            double in = k[1] + (k[2] - k[0]) / 6, out = k[2] - (k[3] - k[1]) / 6;
+            double size = fmax(fmax(fabs(k[0]), fabs(k[1])), fmax(fabs(k[2]), fabs(k[3])));
+            facts->lower = fmin(facts->lower, fmin(fmin(k[1], k[2]), fmin(in, out)) - 1e-15 * size);
+            facts->upper = fmax(facts->upper, fmax(fmax(k[1], k[2]), fmax(in, out)) + 1e-15 * size);
+        }
+        facts->bound_proof =
+            "Bezier points hull each cubic, and a nowhere negative kernel "
+            "averages it";
+    }
+    facts->mean = 0.5 * p->knot[p->component][1] + 0.5 * p->knot[p->component][p->count - 2];
+    facts->continuity = bl_averaging_continuity(&p->averaging, 0);
+    bl_primitive_period(facts, 0);
+}
+
+static const char *const components[] = {"luminance", "red", "green", "blue", NULL};
+static const char *const examples[] = {"0/0/0;1/0.5/0;1/1/1;1/1/1", "1;1;1;1", "0;3;-2;1;5;0;0",
+                                       NULL};
+
+static const bl_parameter parameters[] = {
+    {.key = "knots",
+     .kind = BL_TEXT,
+     .offset = offsetof(spline_parameters, knots),
+     .fallback = "0;0;0.8;0.3;1;1",
+     .unit = "",
+     .help = "numbers, or linear colours R/G/B, with ';' between them; the outer two set slopes",
+     .examples = examples},
+    {.key = "component",
+     .kind = BL_CHOICE,
+     .offset = offsetof(spline_parameters, component),
+     .choices = components,
+     .fallback = "luminance",
+     .unit = "",
+     .help = "of a colour, that the value is"},
+    BL_AVERAGING_PARAMETERS(spline_parameters),
+    {.key = NULL}};
+
+BL_PRIMITIVE_DESCRIPTOR(spline) = {
+    .name = "spline",
+    .title = "Catmull-Rom spline",
+    .summary = "A smooth curve through evenly spaced knots, numbers or colours.",
+    .formula = "cubics that pass a knot with half the difference of its neighbours as slope",
+    .paper = "peachey2003, p. 33",
+    .dimensions = 1,
+    .parameters = parameters,
+    .parameters_size = sizeof(spline_parameters),
+    .seed_offset = SIZE_MAX,
+    .validate = validate,
+    .describe = describe,
+    .functions = {.value = value, .filtered = filtered, .colour = colour, .build = build}};

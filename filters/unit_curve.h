@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// Monotone curves from the unit interval to itself, which gamma, bias and gain are made of: a power
+// of x, and the ratio of two lines that Schlick (1994) puts in the place of bias.
+#ifndef BL_FILTERS_UNIT_CURVE_H
+#define BL_FILTERS_UNIT_CURVE_H
+
+#include <stdint.h>
+
+typedef enum bl_curve_form { BL_CURVE_POWER, BL_CURVE_SCHLICK } bl_curve_form;
+
+extern const char *const bl_curve_words[]; // "power", "schlick", NULL
+
+typedef struct bl_unit_curve {
+    bl_curve_form form;
+    double number; // the exponent, above 0; or 1/b - 2, above -1
+} bl_unit_curve;
+
+bl_unit_curve bl_gamma_curve(double gamma);                // x^(1/gamma)
+bl_unit_curve bl_bias_curve(bl_curve_form form, double b); // b at 1/2, 0 < b < 1
+
+// The curve at x, clamped to 0 and 1 outside of [0, 1]; NaN for NaN. Pure.
+double bl_unit_curve_value(const bl_unit_curve *curve, double x);
+// Its mean over [from, from + length] within [0, 1]: an exact integral, in forms that keep their
+// digits at any length; the value for length 0. Pure.
+double bl_unit_curve_mean(const bl_unit_curve *curve, double from, double length);
+
+#endif
