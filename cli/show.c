@@ -187,6 +187,7 @@ static bl_status show_definition(bl_call *call, const bl_definition *definition,
 }
 
 static bl_status show_filter(bl_call *call, const bl_filter *filter) {
+    char class[16];
     json_t *object = bl_json_start(call);
     if (object) {
         bl_json_set_text(object, "kind", "filter");
@@ -196,13 +197,15 @@ static bl_status show_filter(bl_call *call, const bl_filter *filter) {
         bl_json_set_text(object, "formula", filter->formula);
         bl_json_set_text(object, "paper", filter->paper);
         bl_json_set_number(object, "support_widths", filter->support);
-        bl_json_set_text(object, "continuity", continuity_word(filter->continuity));
+        bl_json_set_text(object, "continuity",
+                         bl_continuity_text(filter->continuity, class, sizeof class));
         return BL_OK;
     }
     fprintf(call->out, "%s: %s\n\n%s\n\nkernel       %s\n", filter->name, filter->title,
             filter->summary, filter->formula);
     fprintf(call->out, "source       %s\nsupport      %g widths to both sides\ncontinuity   %s\n",
-            filter->paper, filter->support, continuity_word(filter->continuity));
+            filter->paper, filter->support,
+            bl_continuity_text(filter->continuity, class, sizeof class));
     return BL_OK;
 }
 
