@@ -31,7 +31,7 @@ static double floor_of(const bl_bench_row *row) {
 }
 
 static bl_time per_sample(bl_time time, double samples) {
-    return (bl_time){time.minimum / samples, time.median / samples};
+    return (bl_time){time.minimum / samples, time.median / samples, time.worst_block / samples};
 }
 
 int bl_bench_add(bl_bench *bench, const bl_bench_row *row) {

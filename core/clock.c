@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-enum { MOST_WORKS = 4, MOST_ROUNDS = 101 };
+enum { MOST_WORKS = 4, MOST_ROUNDS = 101, BLOCKS = 6 };
 
 double bl_clock_seconds(void) {
     struct timespec time;
@@ -52,6 +52,18 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
+static double find_worst_block(const double *taken, int rounds) {
+    int blocks = rounds < BLOCKS ? rounds : BLOCKS;
+    double worst = 0;
+    for (int b = 0; b < blocks; b++) {
+        double least = INFINITY;
+        for (int i = b * rounds / blocks; i < (b + 1) * rounds / blocks; i++)
+            least = fmin(least, taken[i]);
+        worst = fmax(worst, least);
+    }
+    return worst;
+}
+
 void bl_time_by_turns(const bl_work *works, size_t count, int rounds, double turn_seconds,
                       bl_time *times) {
     double taken[MOST_WORKS][MOST_ROUNDS];
@@ -64,7 +76,8 @@ void bl_time_by_turns(const bl_work *works, size_t count, int rounds, double tur
         for (size_t w = 0; w < count; w++)
             taken[w][round] = 1e9 * time_runs(&works[w], runs[w]) / (double)runs[w];
     for (size_t w = 0; w < count; w++) {
+        double worst = find_worst_block(taken[w], rounds); // while they stand in order of time
         qsort(taken[w], (size_t)rounds, sizeof taken[w][0], ascending);
-        times[w] = (bl_time){taken[w][0], taken[w][rounds / 2]};
+        times[w] = (bl_time){taken[w][0], taken[w][rounds / 2], worst};
     }
 }

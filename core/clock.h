@@ -21,6 +21,8 @@ double bl_clock_tick(void);
 
 typedef struct bl_time {
     double minimum, median; // nanoseconds a run
+    double worst_block;     // the largest of the minima of 6 blocks of consecutive turns, or of all
+                            // turns where there are fewer: how far a minimum can be repeated
 } bl_time;
 
 // Times `count` (at most 4) pieces by turns, A B A B ..., `rounds` turns each; a turn repeats its
