@@ -31,7 +31,9 @@ static double floor_of(const bl_bench_row *row) {
 }
 
 static bl_time per_sample(bl_time time, double samples) {
-    return (bl_time){.minimum = time.minimum / samples, .median = time.median / samples};
+    return (bl_time){.minimum = time.minimum / samples,
+                     .median = time.median / samples,
+                     .worst_block = time.worst_block / samples};
 }
 
 int bl_bench_add(bl_bench *bench, const bl_bench_row *row) {

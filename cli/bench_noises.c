@@ -92,7 +92,7 @@ static int time_row(bl_bench *bench, bench_places *places, kernel_work *work,
         .count = work->count,
         .out = places->textbook_out};
     const bl_work works[] = {{run_kernel, work, NULL}, {bl_textbook_run, &plain, NULL}};
-    bl_time times[2] = {{.minimum = 0}, {.minimum = NAN, .median = NAN}};
+    bl_time times[2] = {{.minimum = 0}, {.minimum = NAN, .median = NAN, .worst_block = NAN}};
     bl_progress(bench->call, "timing %s %s %s ...", row->signal, row->path,
                 row->axis ? row->axis : "");
     row->against = textbook ? "textbook" : "reference";

@@ -90,7 +90,7 @@ bl_status bl_bench_peers(bl_bench *bench) {
                                   .count = BL_SCATTERED,
                                   .out = work.textbook_out};
         const bl_work works[] = {{run_peer, &work, NULL}, {bl_textbook_run, &plain, NULL}};
-        bl_time times[2] = {{.minimum = 0}, {.minimum = NAN, .median = NAN}};
+        bl_time times[2] = {{.minimum = 0}, {.minimum = NAN, .median = NAN, .worst_block = NAN}};
         bl_progress(bench->call, "timing %s ...", peers[p].name);
         bl_time_by_turns(works, plain.textbook ? 2 : 1, bench->rounds, bench->turn_seconds, times);
         bl_bench_row row = {.path = "points",

@@ -80,12 +80,33 @@ static bl_status settle_plane(const bl_signal *signal, slice_view *view, bl_mess
     return BL_OK;
 }
 
+// Black and white, unless they are given. A bound about 1 is shown as -1:1, so that pictures of
+// most noises compare. A bound is what cannot be exceeded, which for sums of many terms lies far
+// from what is: those are shown to four deviations from the mean.
+static void settle_range(const bl_signal *signal, slice_view *view) {
+    const bl_facts *facts = &signal->facts;
+    double lower = facts->lower, upper = facts->upper, size = fmax(fabs(lower), fabs(upper));
+    view->black = -1;
+    view->white = 1;
+    if (!isfinite(lower) || !isfinite(upper) || !(lower < upper))
+        return;
+    if (lower < 0 && size >= 0.5 && size <= 2)
+        return;
+    view->black = lower;
+    view->white = upper;
+    double reach = 4 * sqrt(facts->variance);
+    if (size > 2 && reach > 0 && isfinite(facts->mean)) {
+        view->black = fmax(lower, facts->mean - reach);
+        view->white = fmin(upper, facts->mean + reach);
+    }
+}
+
 static bl_status settle_view(bl_call *call, const bl_signal *signal, slice_view *view) {
     const render_settings *settings = call->settings;
     bl_status status = BL_OK;
-    *view = (slice_view){
-        .normal = {0, 0, 1}, .black = -1, .white = 1, .components = settings->components};
+    *view = (slice_view){.normal = {0, 0, 1}, .components = settings->components};
     settle_size(settings, signal, view);
+    settle_range(signal, view);
     if (settings->at)
         status = bl_read_list("at", settings->at, 1, BL_AXES, bl_signal_far(signal), view->centre,
                               &call->message);
@@ -143,8 +164,8 @@ static void report(bl_call *call, const bl_signal *signal, const slice_view *vie
     if (call->common.quiet)
         return;
     bl_plain_text(call->out, call->path);
-    fprintf(call->out, ": %zu x %zu pixels, %g unit%s between them, values ",
-            view->grid.width, view->grid.height, view->spacing, view->spacing == 1 ? "" : "s");
+    fprintf(call->out, ": %zu x %zu pixels, %g unit%s between them, values ", view->grid.width,
+            view->grid.height, view->spacing, view->spacing == 1 ? "" : "s");
     bl_plain_number(call->out, outcome->minimum, 6);
     fputs(" to ", call->out);
     bl_plain_number(call->out, outcome->maximum, 6);
@@ -225,12 +246,18 @@ static bl_status report_nothing(const bl_signal *signal, bl_message *message) {
                      (double)(extent->size[1] - 1) * extent->spacing[1]);
 }
 
-static bl_status fill_and_write(bl_call *call, const bl_signal *signal, const slice_view *view,
+static bl_status fill_and_write(bl_call *call, const bl_signal *signal, slice_view *view,
                                 const bl_vector_signal *vector, float *plane, float *values) {
     bl_progress(call, "rendering %s ...", signal->text);
     fill(call, vector, &view->grid, plane, values);
-    image_outcome outcome =
-        look(values, view->components * view->grid.width * view->grid.height, view);
+    const render_settings *settings = call->settings;
+    size_t count = view->components * view->grid.width * view->grid.height;
+    image_outcome outcome = look(values, count, view);
+    // An image states no bound; pictures have 0 to 1, and only rendered noise has negative values.
+    if (!settings->range && signal->extent.size[0] && outcome.minimum >= 0) {
+        view->black = 0;
+        outcome = look(values, count, view);
+    }
     bl_status status = bl_call_complaints(call, BL_OK); // before an image of a dead program
     if (status == BL_OK && outcome.finite == 0)
         status = report_nothing(signal, &call->message);
@@ -333,7 +360,10 @@ static const bl_option options[] = {
      .kind = BL_OPTION_WORD,
      .offset = AT(range),
      .value = "LO:HI",
-     .help = "PNG: the values of black and white (default: -1:1)"},
+     .help =
+         "PNG: the values of black and white (default: -1:1 where a bound between 0.5 and 2 either "
+         "way, or none, is stated; else the stated bounds, as 0:1, of large ones no more than 4 "
+         "deviations from the mean; of an image without negative values 0:1)"},
     {.name = "bits",
      .kind = BL_OPTION_CHOICE,
      .offset = AT(bits),

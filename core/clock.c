@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-enum { MOST_ROUNDS = 101 };
+enum { MOST_ROUNDS = 101, BLOCKS = 6 };
 
 double bl_clock_seconds(void) {
     struct timespec time;
@@ -52,13 +52,28 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
+// Of turns that still stand in the order of time.
+static double find_worst_block(const double *taken, size_t rounds) {
+    size_t blocks = rounds < BLOCKS ? rounds : BLOCKS;
+    double worst = 0;
+    for (size_t b = 0; b < blocks; b++) {
+        double least = INFINITY;
+        for (size_t i = b * rounds / blocks; i < (b + 1) * rounds / blocks; i++)
+            least = fmin(least, taken[i]);
+        worst = fmax(worst, least);
+    }
+    return worst;
+}
+
 static bl_time summarise(double *taken, size_t rounds) {
+    double worst = find_worst_block(taken, rounds);
     qsort(taken, rounds, sizeof *taken, ascending);
     return (bl_time){.minimum = taken[0],
                      .median = taken[rounds / 2],
                      .maximum = taken[rounds - 1],
                      .lower = taken[rounds / 4],
-                     .upper = taken[rounds - 1 - rounds / 4]};
+                     .upper = taken[rounds - 1 - rounds / 4],
+                     .worst_block = worst};
 }
 
 void bl_time_by_turns(const bl_work *works, size_t count, int rounds, double turn_seconds,
@@ -68,7 +83,7 @@ void bl_time_by_turns(const bl_work *works, size_t count, int rounds, double tur
     size_t *runs = malloc(count * sizeof *runs);
     double seconds = fmax(turn_seconds, 1000 * bl_clock_tick());
     for (size_t w = 0; w < count; w++)
-        times[w] = (bl_time){NAN, NAN, NAN, NAN, NAN};
+        times[w] = (bl_time){NAN, NAN, NAN, NAN, NAN, NAN};
     for (size_t w = 0; taken && runs && w < count; w++)
         runs[w] = runs_of(&works[w], seconds);
     for (size_t turn = 0; taken && runs && turn < turns; turn++)

@@ -23,6 +23,8 @@ typedef struct bl_time {
     double minimum, median; // nanoseconds a run
     double maximum;         // with the minimum: what was seen
     double lower, upper;    // the quarters: half of all turns lie between
+    double worst_block;     // the largest of the minima of 6 blocks of consecutive turns, or of all
+                            // turns where there are fewer: how far a minimum can be repeated
 } bl_time;
 
 // Times `count` pieces by turns, A B A B ..., `rounds` (at most 101) turns each; a turn repeats its

@@ -3,7 +3,7 @@
 #
 # run.sh TEST LOG: runs one test program and keeps what it prints, with its exit status last. With
 # T=word, a program whose own name has the word runs whole; the others run only the tests whose
-# names have it.
+# names have it. One that does not end within TIMEOUT seconds is stopped and has failed.
 program=$1
 log=$2
 name=$(basename "$program")
@@ -12,8 +12,13 @@ case "$name" in
 *"$T"*) ;;
 *) filter="*$T*" ;;
 esac
-OMP_WAIT_POLICY=passive BL_TEST_FILTER="$filter" CMOCKA_MESSAGE_OUTPUT=tap "$program" >"$log" 2>&1
+limit=${TIMEOUT:-1800}
+OMP_WAIT_POLICY=passive BL_TEST_FILTER="$filter" CMOCKA_MESSAGE_OUTPUT=tap \
+    timeout -k 10 "$limit" "$program" >"$log" 2>&1
 status=$?
+if [ "$status" -eq 124 ] || [ "$status" -eq 137 ]; then
+    echo "# stopped: it did not end within $limit seconds" >>"$log"
+fi
 echo "# exit $status" >>"$log"
 passed=$(grep -c '^ok ' "$log")
 skipped=$(grep -c '^not ok .*# SKIP' "$log") # so cmocka writes it

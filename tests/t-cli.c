@@ -285,6 +285,46 @@ static void test_a_rendered_image_holds_the_values(void **state) {
     assert_int_equal(bl_test_files(), 0);
 }
 
+// Black and white as a PNG takes them when nobody says. The bounds are those the noises state: a
+// distance and a sum of sizes begin at 0, gabor's bound is a hundred times its values.
+static void test_a_png_spans_what_the_signal_states(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        double black, white;
+    } cases[] = {{"gnoise", -1, 1},
+                 {"vnoise", -1, 1},
+                 {"rayshade", 0, 1},
+                 {"cellular", 0, 1.7320508075688772},
+                 {"gabor", -4 * 0.49953, 4 * 0.49953}};
+    const char *path = bl_test_path("span.png");
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        json_t *object =
+            RUN_JSON(0, "render", cases[i].text, "--width", "64", "--scale", "16", "-o", path);
+        assert_near(item_of(object, "range", 0), cases[i].black, 1e-3);
+        assert_near(item_of(object, "range", 1), cases[i].white, 1e-3);
+        // Four deviations leave out few, and so do the crests of a spline beyond 1; the range is
+        // used.
+        assert_less(number_of(object, "clipped"), 64 * 64 * 0.02);
+        double span = item_of(object, "range", 1) - item_of(object, "range", 0);
+        assert_true(number_of(object, "max") - number_of(object, "min") > 0.35 * span);
+        json_decref(object);
+    }
+    json_t *given = RUN_JSON(0, "render", "rayshade", "--width", "8", "--range=-2:3", "-o", path);
+    assert_near(item_of(given, "range", 0), -2, 0);
+    json_decref(given);
+    // What was rendered is an image of 0 to 1 itself, and an EXR of a noise keeps its signs.
+    json_t *again = RUN_JSON(0, "render", path, "--width", "8", "-o", bl_test_path("again.png"));
+    assert_near(item_of(again, "range", 0), 0, 0);
+    assert_near(item_of(again, "range", 1), 1, 0);
+    json_decref(again);
+    json_decref(RUN_JSON(0, "render", "gnoise", "--width", "32", "-o", bl_test_path("signs.exr")));
+    json_t *signs = RUN_JSON(0, "render", bl_test_path("signs.exr"), "-o", path);
+    assert_near(item_of(signs, "range", 0), -1, 0);
+    json_decref(signs);
+    unlink(path), unlink(bl_test_path("again.png")), unlink(bl_test_path("signs.exr"));
+}
+
 static void test_a_report_goes_to_the_file_and_to_nowhere_else(void **state) {
     (void)state;
     const char *text = bl_test_path("list.txt"), *json = bl_test_path("check.json");
@@ -349,6 +389,7 @@ int main(void) {
         cmocka_unit_test(test_the_verdict_is_the_exit_status),
         cmocka_unit_test(test_a_histogram_counts_every_sample),
         cmocka_unit_test(test_a_rendered_image_holds_the_values),
+        cmocka_unit_test(test_a_png_spans_what_the_signal_states),
         cmocka_unit_test(test_a_report_goes_to_the_file_and_to_nowhere_else),
         cmocka_unit_test(test_quiet_leaves_the_exit_status_alone),
         cmocka_unit_test(test_the_benchmark_has_its_rows),

@@ -158,6 +158,11 @@ static void test_cost_is_told_and_not_judged(void **state) {
     assert_int_equal(result.verdict, BL_SCORE_NOT_RUN);
     assert_true(bl_score_find(&result, "row_ns")->estimate.value > 0);
     assert_true(bl_score_find(&result, "points_ns")->estimate.value > 0);
+    for (int i = 0; i < 2; i++) { // six minima that the clock told apart are never all equal
+        bl_estimate e = bl_score_find(&result, i ? "points_ns" : "row_ns")->estimate;
+        assert_true(e.lower <= e.value && e.value < e.upper && isfinite(e.upper));
+        assert_near(e.level, 1 - 2 * pow(0.5, 6), 0);
+    }
     bl_signal_free(signal);
 }
 
