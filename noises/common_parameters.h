@@ -53,8 +53,7 @@ static const char *const bl_period_examples[] = {"4,8,16", "3", "5,0,300,7", NUL
          .fallback = usual,                                                                        \
          .unit = "",                                                                               \
          .help = "hash of the 64-bit cell, or the text's permutation of 256"},                     \
-        BL_COMPONENT_PARAMETER(block, lattice.component),                                          \
-    {                                                                                              \
+        BL_COMPONENT_PARAMETER(block, lattice.component), {                                        \
         .key = "period", .kind = BL_LIST, .offset = offsetof(block, lattice.period),               \
         .maximum = 4294967295.0, .fallback = "0", .unit = "cells",                                 \
         .help = "after which the noise repeats, one number or one an axis; 0: never",              \

@@ -202,8 +202,9 @@ static bl_status validate(const void *block, bl_message *message) {
             return bl_report(message, BL_USAGE,
                              "period=%u along %c: the simplices fall on themselves after multiples "
                              "of 3 only; the next one is %u",
-                             period, "xyzw"[a], period > UINT32_MAX - 2 ? period - period % 3
-                                                                        : period + 3 - period % 3);
+                             period, "xyzw"[a],
+                             period > UINT32_MAX - 2 ? period - period % 3
+                                                     : period + 3 - period % 3);
     }
     return BL_OK;
 }

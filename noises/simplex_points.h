@@ -241,8 +241,7 @@ BL_INLINE uint32_t simplex_corner_word(const simplex_block *block, unsigned dims
                                        size_t i) {
     uint32_t exclusive = 0;
     for (unsigned a = 0; a < dims; a++)
-        exclusive ^=
-            block->rank[a][i] < k ? block->exclusive[a][1][i] : block->exclusive[a][0][i];
+        exclusive ^= block->rank[a][i] < k ? block->exclusive[a][1][i] : block->exclusive[a][0][i];
     return (block->add[i] + k * BL_LATTICE_M1) * exclusive;
 }
 

@@ -10,7 +10,8 @@
 //   seed       64 bits
 //   component  0 to 3: independent noises of one seed
 //   dims       1 to 4, default 3: coordinates beyond them are ignored
-//   cell       h, in units: 0 (default), or from 2^-40 to 256: the noise is constant in cells of side h
+//   cell       h, in units: 0 (default), or from 2^-40 to 256: the noise is constant in cells of
+//   side h
 //
 // v is an odd multiple of 2^-20, from the top bits of a chain of 64-bit hashes (core/hash.h), one
 // link an axis: h' = mix(h ^ bits). For each link both the coordinate and what came before enter by
