@@ -100,6 +100,10 @@ int bl_signal_has_closed_form(const bl_signal *signal) {
     return signal->closed_form && signal->functions->covariance;
 }
 
+int bl_signal_has_density(const bl_signal *signal) {
+    return bl_signal_has_closed_form(signal) && isfinite(signal->facts.covariance_reach);
+}
+
 void bl_signal_row(const bl_signal *signal, const double start[BL_AXES], const double step[BL_AXES],
                    size_t count, float *out) {
     signal->functions->row(signal->parameters, start, step, count, out);

@@ -50,6 +50,7 @@
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
 #include "noises/synthesis.h"
+#include "noises/tile_covariance.h"
 #include "noises/tile_points.h"
 
 typedef struct fourier_parameters {
@@ -156,10 +157,12 @@ BL_NOISE_DESCRIPTOR(fourier_synthesis) = {
     .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,
+    .has_closed_form = bl_tile_noise_has_covariance,
     .functions = {.row = bl_tile_noise_row,
                   .points = bl_tile_noise_points,
                   .value = bl_tile_noise_value,
                   .gradient = bl_tile_noise_gradient,
+                  .covariance = bl_tile_noise_covariance,
                   .build = build,
                   .release = release},
 };

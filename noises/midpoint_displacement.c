@@ -42,6 +42,7 @@
 #include "noises/common_parameters.h"
 #include "noises/displacement.h"
 #include "noises/noise.h"
+#include "noises/tile_covariance.h"
 #include "noises/tile_points.h"
 
 typedef struct midpoint_parameters {
@@ -106,5 +107,6 @@ BL_NOISE_DESCRIPTOR(midpoint_displacement) = {
     .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,
+    .has_closed_form = bl_tile_noise_has_covariance,
     .functions = {BL_TILE_FUNCTIONS, .build = build},
 };

@@ -219,6 +219,8 @@ void bl_octaves_describe(const void *parameters, bl_facts *facts) {
     if (!bl_octaves_has_closed_form(parameters))
         return;
     facts->covariance_reach = basis->covariance_reach / frequency[0];
+    if (isinf(facts->covariance_reach)) // no density, of which to take shares
+        return;
     facts->band_from = 0;
     facts->band_to = octaves->top * frequency[evaluated - 1];
     facts->leak_db = ceil(1000 * log10(sum_above(octaves, facts->band_to))) / 100;

@@ -44,6 +44,7 @@
 
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
+#include "noises/tile_covariance.h"
 #include "noises/tile_points.h"
 #include "noises/wavelet_tile.h"
 
@@ -110,5 +111,6 @@ BL_NOISE_DESCRIPTOR(wavelet_noise) = {
     .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,
+    .has_closed_form = bl_tile_noise_has_covariance,
     .functions = {BL_TILE_FUNCTIONS, .build = build},
 };
