@@ -55,7 +55,7 @@ static void range_text(const bl_parameter *parameter, char *text, size_t size) {
         snprintf(text, size, "a path");
     else if (parameter->kind == BL_NESTED)
         snprintf(text, size, "any of `bandlimit list noises`, its keys as %s.KEY", parameter->key);
-    else if (parameter->kind != BL_CHOICE)
+    else if (parameter->kind != BL_CHOICE) // no maximum is "inf"
         snprintf(text, size, "%.10g to %.10g", parameter->minimum, parameter->maximum);
     else
         for (size_t i = 0; parameter->choices[i] && used < size; i++)

@@ -13,7 +13,8 @@
 //   seed    0: the text's place; any other moves the place by up to 2^10 units along each axis.
 //           There is nothing else to draw: it is one function
 //   terms   1 to 8; default 5, the text's
-//   width   units between samples, 0 to 1e30; default 0, which keeps all terms
+//   width   units between samples, 0 to inf, which keeps the mean alone; default 0, which
+//           keeps all terms
 //   clamp   fade, hard or none: how a term goes whose larger frequency u_i or v_i is beyond
 //           1/(2 width); the weights are those of noises/octaves.h. It leaves its mean A_i^2/4
 //
@@ -277,7 +278,7 @@ static const bl_parameter parameters[] = {
     {.key = "width",
      .kind = BL_REAL,
      .offset = offsetof(gardner_parameters, width),
-     .maximum = 1e30,
+     .maximum = INFINITY,
      .fallback = "0",
      .unit = "units",
      .help = "between samples: terms beyond 1/(2 width) are removed; 0 keeps all"},
