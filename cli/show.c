@@ -87,6 +87,7 @@ static void facts_json(json_t *object, const bl_signal *signal) {
     bl_json_set_text(list, "continuity", continuity_word(facts->continuity));
     bl_json_set_numbers(list, "period", isnan(facts->period[0]) ? NULL : facts->period,
                         signal->dimensions);
+    bl_json_set_number(list, "cell", facts->cell);
     bl_json_set_number(list, "far", facts->far);
     json_object_set_new(list, "closed_form", json_boolean(bl_signal_has_closed_form(signal)));
     json_object_set_new(object, "facts", list);
@@ -143,9 +144,13 @@ static void print_facts(FILE *out, const bl_signal *signal) {
     fprintf(out, "  %-12s %s\n", "continuity",
             stated ? continuity_word(facts->continuity) : "not stated");
     print_period(out, facts->period, signal->dimensions);
+    if (facts->cell > 0)
+        print_fact(out, "cell", facts->cell, " units between the planes of its lattice");
     print_fact(out, "far", facts->far, " units: beyond it the fraction within a cell is lost");
     fprintf(out, "  %-12s %s\n", "spectrum",
-            bl_signal_has_closed_form(signal) ? "closed form" : "no closed form");
+            bl_signal_has_density(signal)       ? "closed form"
+            : bl_signal_has_closed_form(signal) ? "closed form, of lines"
+                                                : "no closed form");
 }
 
 static bl_status show_noise(bl_call *call, const bl_noise *noise, const char *text) {

@@ -34,8 +34,8 @@
 // Band: 0 to the highest harmonic, along an axis; the leak is the exact share of the images, -51 dB
 // with the default settings, -79 dB with samples=8. Class: C2, C1, C0 or discontinuous, that of the
 // kernel. In two and three dimensions the spectrum is isotropic but for the square grid of its
-// harmonics and the images, which are not. There is no closed form of the kind that the analyses
-// use: the covariance is a finite sum of cosines, which has no end.
+// harmonics and the images, which are not. The covariance over places and seeds is exact
+// (noises/tile_covariance.h); it repeats with the tile, so that the spectrum is one of lines.
 // Known defects: it repeats, and all of it must be made before one value is known.
 // NaN, infinity, and coordinates beyond 2^62 give NaN; 2^52 is where doubles lose the fraction.
 //
@@ -130,7 +130,7 @@ static const bl_parameter parameters[] = {
      .fallback = "fixed",
      .unit = "",
      .help = "of the cosines: those of the spectrum, or random about them"},
-    BL_TILE_SIZE_PARAMETER(fourier_parameters, of.tile.size),
+    BL_TILE_SIZE_PARAMETER(fourier_parameters, of.tile.size, "256, 64, 32 in 1, 2, 3 dimensions"),
     {.key = "samples",
      .kind = BL_INTEGER,
      .offset = AT(tile.samples),

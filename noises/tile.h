@@ -63,18 +63,18 @@ extern const char *const bl_tile_interps[]; // "bspline", "catmull-rom", "linear
 extern const char *const bl_tile_size_examples[];
 
 // The keys of a tile, for parameter lists; `usual` are the defaults of the interpolation and of the
-// numbers a unit.
+// numbers a unit, and the sizes for 0 in words.
 #define BL_TILE_DIMENSIONS_PARAMETER(block, field, least, most, usual)                             \
     {                                                                                              \
         .key = "dims", .kind = BL_INTEGER, .offset = offsetof(block, field), .minimum = least,     \
         .maximum = most, .fallback = usual, .unit = "",                                            \
         .help = "dimensions; coordinates beyond them are ignored"                                  \
     }
-#define BL_TILE_SIZE_PARAMETER(block, field)                                                       \
+#define BL_TILE_SIZE_PARAMETER(block, field, usual)                                                \
     {                                                                                              \
         .key = "size", .kind = BL_LIST, .offset = offsetof(block, field), .minimum = 0,            \
         .maximum = 1 << 24, .fallback = "0", .unit = "numbers",                                    \
-        .help = "of the tile, a power of two, one or one an axis; 0: by the dimensions",           \
+        .help = "of the tile, a power of two, one or one an axis; 0: " usual,                      \
         .examples = bl_tile_size_examples                                                          \
     }
 #define BL_TILE_INTERP_PARAMETER(block, field, usual)                                              \

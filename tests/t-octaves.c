@@ -451,7 +451,9 @@ static void test_closed_forms_are_stated_only_where_they_hold(void **state) {
                  {"fractalsum:basis=fractalsum", 0, 0}, // their octaves meet
                  {"fractalsum:basis=gnoise,basis.lattice=perm256", 0, 0},
                  {"fbm:basis=fractalsum", 1, 1},
-                 {"fbm:rotate=random", 0, 1}, // the mean over rotations is not stated
+                 {"fbm:rotate=random", 0, 1}, // the mean over rotations is not stated ...
+                 {"fbm:rotate=random,basis=simplex", 1, 1}, // ... but where it changes nothing
+                 {"fbm:rotate=random,basis=simplex,basis.lattice=perm256", 0, 0},
                  {"fbm:lacunarity=1", 1, 1},
                  {"fbm:lacunarity=1,seeds=same", 0, 0},
                  {"fbm:lacunarity=1.5,seeds=same", 1, 1},
