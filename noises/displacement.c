@@ -209,25 +209,20 @@ bl_status bl_displacement_variance(const bl_displacement *settings, double *vari
     return BL_OK;
 }
 
-// Adds `weight` times the powers of the grid's harmonics, and those of its reflection in x = y if
-// `mirrored`, half each. `buffer` has room for a transform.
+// Adds `weight` times the powers of the grid's harmonics; `buffer` has room for a transform.
 static void add_powers(const bl_tile *tile, const bl_fft *plan, const double *grid, double weight,
-                       int mirrored, double *buffer, double *powers) {
+                       double *buffer, double *powers) {
     const size_t width = tile->size[0], height = tile->size[1];
     const double scale = weight / ((double)(width * height) * (double)(width * height));
-    for (int turn = 0; turn <= mirrored; turn++) {
-        for (size_t y = 0; y < height; y++)
-            for (size_t x = 0; x < width; x++)
-                buffer[y * (width + 2) + x] = turn ? grid[x * width + y] : grid[y * width + x];
-        bl_fft_run(plan, buffer);
-        for (size_t i = 0; i < height * (width + 2); i += 2)
-            powers[i] +=
-                scale / (1 + mirrored) * (buffer[i] * buffer[i] + buffer[i + 1] * buffer[i + 1]);
-    }
+    for (size_t y = 0; y < height; y++)
+        memcpy(buffer + y * (width + 2), grid + y * width, width * sizeof *grid);
+    bl_fft_run(plan, buffer);
+    for (size_t i = 0; i < height * (width + 2); i += 2)
+        powers[i] += scale * (buffer[i] * buffer[i] + buffer[i + 1] * buffer[i + 1]);
 }
 
 // The random numbers are independent, so the powers of what each one does add up; those of a class
-// have the same, but for reflections: of midpoints of sides half lie across the others.
+// have the same: the grids around a midpoint are their own reflections in x = y.
 static bl_status find_covariance(const bl_displacement *settings, double variance, bl_tile *tile,
                                  bl_message *message) {
     const bl_fft *plan;
@@ -242,7 +237,6 @@ static bl_status find_covariance(const bl_displacement *settings, double varianc
     double *grid = malloc(bl_tile_count(tile->size) * sizeof *grid);
     double *one = calloc(bl_displacement_count(settings), sizeof *one);
     if (powers && buffer && grid && one) {
-        int mirrored = tile->dimensions == 2 && !settings->all;
         walk classes = walk_all(settings, NULL, grid);
         classes.class_start[classes.classes] = classes.taken;
         for (unsigned c = 0; c < classes.classes; c++) {
@@ -251,7 +245,7 @@ static bl_status find_covariance(const bl_displacement *settings, double varianc
             walk_all(settings, one, grid);
             one[start] = 0;
             bl_tile_prefilter(grid, tile->size, (bl_tile_kernel)tile->kernel[0]);
-            add_powers(tile, plan, grid, (double)members / variance, mirrored, buffer, powers);
+            add_powers(tile, plan, grid, (double)members / variance, buffer, powers);
         }
         status = bl_tile_set_powers(tile, powers, message);
     } else {
