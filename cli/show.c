@@ -54,7 +54,7 @@ static void range_text(const bl_parameter *parameter, char *text, size_t size) {
         snprintf(text, size, "a path");
     else if (parameter->kind == BL_NESTED)
         snprintf(text, size, "any of `bandlimit list noises`, its keys as %s.KEY", parameter->key);
-    else if (parameter->kind != BL_CHOICE)
+    else if (parameter->kind != BL_CHOICE) // no maximum is "inf"
         snprintf(text, size, "%.10g to %.10g", parameter->minimum, parameter->maximum);
     else
         for (size_t i = 0; parameter->choices[i] && used < size; i++)
@@ -89,6 +89,7 @@ static void facts_json(json_t *object, const bl_signal *signal) {
         facts->continuity < -1 ? NULL : bl_continuity_text(facts->continuity, class, sizeof class));
     bl_json_set_numbers(list, "period", isnan(facts->period[0]) ? NULL : facts->period,
                         signal->dimensions);
+    bl_json_set_number(list, "cell", facts->cell);
     bl_json_set_number(list, "far", facts->far);
     json_object_set_new(list, "closed_form", json_boolean(bl_signal_has_closed_form(signal)));
     json_object_set_new(object, "facts", list);
@@ -145,9 +146,13 @@ static void print_facts(FILE *out, const bl_signal *signal) {
     fprintf(out, "  %-12s %s\n", "continuity",
             bl_continuity_text(facts->continuity, class, sizeof class));
     print_period(out, facts->period, signal->dimensions);
+    if (facts->cell > 0)
+        print_fact(out, "cell", facts->cell, " units between the planes of its lattice");
     print_fact(out, "far", facts->far, " units: beyond it the fraction within a cell is lost");
     fprintf(out, "  %-12s %s\n", "spectrum",
-            bl_signal_has_closed_form(signal) ? "closed form" : "no closed form");
+            bl_signal_has_density(signal)       ? "closed form"
+            : bl_signal_has_closed_form(signal) ? "closed form, of lines"
+                                                : "no closed form");
 }
 
 // The registry that a definition stands in.

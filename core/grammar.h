@@ -34,7 +34,8 @@ void bl_spec_free(bl_spec *spec);
 typedef enum bl_parameter_kind {
     BL_SEED,    // uint64_t, decimal or 0x hexadecimal
     BL_INTEGER, // uint32_t in [minimum, maximum]
-    BL_REAL,    // double in [minimum, maximum]; a fraction as 1/16 is read too
+    BL_REAL,    // double in [minimum, maximum]; a fraction as 1/16 is read too, and where the
+                // maximum is INFINITY the words inf and infinity
     BL_CHOICE,  // uint32_t, the index in choices; a choice "table:N" is followed by a number
     BL_LIST,    // uint32_t[BL_LIST_SIZE] in [minimum, maximum], one an axis; a single number stands
                 // for all, and numbers left out at the end are 0

@@ -38,13 +38,19 @@ static bl_status read_integer(const bl_parameter *parameter, const char *value, 
     return BL_OK;
 }
 
+// A number, or "inf" where no maximum forbids it.
+static int read_word(const bl_parameter *parameter, const char *word, double *out) {
+    if (isinf(parameter->maximum) && (strcmp(word, "inf") == 0 || strcmp(word, "infinity") == 0)) {
+        *out = INFINITY;
+        return 1;
+    }
+    return bl_read_real(word, out);
+}
+
 static bl_status read_real(const bl_parameter *parameter, const char *value, place at, double *out,
                            bl_message *message) {
-    if (strcmp(value, "inf") == 0)
-        *out = INFINITY;
-    else if (!bl_read_real(value, out))
-        *out = NAN;
-    if (!(*out >= parameter->minimum && *out <= parameter->maximum)) {
+    if (!read_word(parameter, value, out) || *out < parameter->minimum ||
+        *out > parameter->maximum) {
         char expected[96];
         snprintf(expected, sizeof expected, "a number from %g to %g", parameter->minimum,
                  parameter->maximum);
@@ -202,8 +208,8 @@ static bl_status report_key(const bl_parameter *parameters, const bl_setting *se
                      near ? near : "", near ? "'? All" : ";", all);
 }
 
-// The setting that the letter at `letter` of a nested signal's text came from, and where in the whole
-// text it stands. *inside says how much of the text stands before it within the setting.
+// The setting that the letter at `letter` of a nested signal's text came from, and where in the
+// whole text it stands. *inside says how much of the text stands before it within the setting.
 static const bl_setting *find_origin(const bl_parameter *parameter, const bl_spec *spec,
                                      size_t letter, size_t *inside) {
     size_t stem = strlen(parameter->key), start = strlen(parameter->fallback);
@@ -417,8 +423,8 @@ static int is_default(const bl_parameter *parameter, const char *value) {
     double real, fallback;
     unsigned long long number, other;
     if (parameter->kind == BL_REAL)
-        return bl_read_real(value, &real) && bl_read_real(parameter->fallback, &fallback) &&
-               real == fallback;
+        return read_word(parameter, value, &real) &&
+               read_word(parameter, parameter->fallback, &fallback) && real == fallback;
     if (parameter->kind == BL_TEXT || parameter->kind == BL_NESTED || parameter->kind == BL_LIST)
         return strcmp(value, parameter->fallback) == 0;
     if (parameter->kind == BL_SEED || parameter->kind == BL_INTEGER)

@@ -101,6 +101,10 @@ int bl_signal_has_closed_form(const bl_signal *signal) {
     return signal->closed_form && signal->functions->covariance;
 }
 
+int bl_signal_has_density(const bl_signal *signal) {
+    return bl_signal_has_closed_form(signal) && isfinite(signal->facts.covariance_reach);
+}
+
 void bl_signal_row(const bl_signal *signal, const double start[BL_AXES], const double step[BL_AXES],
                    size_t count, float *out) {
     if (signal->functions->row) {

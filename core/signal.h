@@ -35,10 +35,12 @@ typedef struct bl_signal_functions {
     void (*gradient)(const void *parameters, const double at[BL_AXES], double out[BL_AXES]);
     // Optional (see bl_signal.closed_form): the autocovariance E[n(p) n(p+lag)] over places and
     // seeds, a closed form. It is zero for every lag with a component of size >=
-    // facts.covariance_reach.
+    // facts.covariance_reach; where that is infinite, as of a noise that repeats, the spectrum is
+    // one of lines and has no density, but what a window of a finite length sees is known.
     double (*covariance)(const void *parameters, const double lag[BL_AXES]);
     // Optional: the closed-form power spectral density of the stationarised signal in all its
-    // dimensions, two-sided, value^2 per (cycle per unit)^dims; its integral is the variance.
+    // dimensions, two-sided, value^2 per (cycle per unit)^dims; its integral is the variance. Not
+    // to be asked for where bl_signal_has_density says that there is none.
     double (*density)(const void *parameters, const double frequency[BL_AXES]);
     // Optional: the value as the signal's own means filter it for samples that stand `width` apart
     // along each axis, centred at a point. Width 0 is the value itself, infinite width the mean.
@@ -71,7 +73,7 @@ typedef struct bl_facts {
     double period[BL_AXES];    // the smallest period along each axis; 0: none
     double cell;               // the distance of the planes of its lattice; 0: it has none
     double far;                // the coordinate beyond which the fraction within a cell is lost
-    double covariance_reach;   // lags with a component beyond it have no covariance
+    double covariance_reach;   // lags with a component beyond it have no covariance; or INFINITY
     int stationary;            // 1: claims the same mean and variance all over its cell
     int isotropic;             // 1: claims a spectrum without a direction in all its dimensions
 } bl_facts;
@@ -89,7 +91,7 @@ struct bl_signal {
     size_t parameters_size;
     size_t seed_offset; // of the uint64_t seed in the block, or SIZE_MAX for a signal without one
     unsigned dimensions;
-    int closed_form;  // whether covariance and density hold for these parameters
+    int closed_form;  // whether the covariance (and the density) hold for these parameters
     char *text;       // the canonical text that names it, owned
     const char *name; // the registry name, or the word "image"
     bl_facts facts;
@@ -121,6 +123,7 @@ void bl_signal_free(bl_signal *signal);
 
 // Shorthands for the abilities.
 int bl_signal_has_closed_form(const bl_signal *signal);
+int bl_signal_has_density(const bl_signal *signal); // a covariance that ends
 void bl_signal_row(const bl_signal *signal, const double start[BL_AXES], const double step[BL_AXES],
                    size_t count, float *out);
 void bl_signal_points(const bl_signal *signal, const double *const at[BL_AXES], size_t count,

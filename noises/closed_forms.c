@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "core/quadrature.h"
+#include "noises/lattice_repeats.h"
 
 static void add(bl_terms *terms, bl_term term) {
     assert(terms->count < BL_TERMS_MOST);
@@ -116,11 +117,34 @@ double bl_terms_share_above(const bl_terms *terms, double frequency) {
     return bl_covariance_share_above(covariance_of_terms, terms, reach(terms), frequency);
 }
 
+// The variance on lattice=perm256 without a period: numbers that meet again within two kernels'
+// reach add their covariance, as often as they do. NAN in four dimensions.
+static double variance_of_permutation(const bl_terms *terms) {
+    const int most = BL_REPEATS_REACH; // the reach is 4 at most, from where on there is none
+    double sum = 0;
+    if (axes(terms) > 3)
+        return NAN;
+    for (int z = axes(terms) > 2 ? -most : 0; z <= (axes(terms) > 2 ? most : 0); z++)
+        for (int y = axes(terms) > 1 ? -most : 0; y <= (axes(terms) > 1 ? most : 0); y++)
+            for (int x = -most; x <= most; x++) {
+                double share = bl_perm256_repeats((unsigned)axes(terms), (const int[]){x, y, z});
+                if (share > 0)
+                    sum += share * bl_terms_covariance(terms, (const double[BL_AXES]){x, y, z});
+            }
+    return sum;
+}
+
+static int has_no_period(const bl_lattice_settings *lattice) {
+    return !(lattice->period[0] | lattice->period[1] | lattice->period[2] | lattice->period[3]);
+}
+
 void bl_terms_describe(const bl_terms *terms, int holds, const bl_lattice_settings *lattice,
                        bl_facts *facts) {
     facts->mean = 0;
     if (holds && bl_lattice_differs_within(lattice, (unsigned)axes(terms), reach(terms)))
         facts->variance = bl_terms_variance(terms);
+    else if (holds && lattice->kind == BL_LATTICE_PERM256 && has_no_period(lattice))
+        facts->variance = variance_of_permutation(terms);
     if (!holds || !bl_lattice_is_hash(lattice))
         return;
     facts->covariance_reach = reach(terms);

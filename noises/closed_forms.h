@@ -66,11 +66,12 @@ double bl_covariance_share_above(bl_covariance *covariance, const void *paramete
 
 // Fills mean 0 and, if `holds` (the noise has these kernels, and not tables of them), what the
 // lattice allows. The variance, at a random place and seed, where all numbers within the kernels'
-// footprint differ: lattice=hash and no period shorter than it. Without any period also the
-// covariance's reach, and the claim that along an axis all but leak_db of the variance lies in [0, 1]: the exact
-// share outside, rounded up to the next hundredth of a dB. Otherwise these stay "not stated":
-// numbers of a short table that meet again move the variance by up to a percent, and a coarse table
-// of the kernel leaks far more than the kernel.
+// footprint differ, lattice=hash and no period shorter than it; and of lattice=perm256 without a
+// period, exactly, from how often numbers meet again (noises/lattice_repeats.h; not in four
+// dimensions). On lattice=hash without any period also the covariance's reach, and the claim that
+// along an axis all but leak_db of the variance lies in [0, 1]: the exact share outside, rounded up
+// to the next hundredth of a dB. Otherwise these stay "not stated": numbers of a short period that
+// meet again move the variance, and a coarse table of the kernel leaks far more than the kernel.
 void bl_terms_describe(const bl_terms *terms, int holds, const bl_lattice_settings *lattice,
                        bl_facts *facts);
 

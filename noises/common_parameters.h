@@ -28,11 +28,23 @@ static const char *const bl_period_examples[] = {"4,8,16", "3", "5,0,300,7", NUL
         .help = "dimensions; coordinates beyond them are ignored"                                  \
     }
 
+// uint32_t `field`.
+#define BL_COMPONENT_PARAMETER(block, field)                                                       \
+    {                                                                                              \
+        .key = "component", .kind = BL_INTEGER, .offset = offsetof(block, field), .maximum = 3,    \
+        .fallback = "0", .unit = "",                                                               \
+        .help = "of a vector-valued noise: independent noises of one seed"                         \
+    }
+
 // bl_lattice_settings lattice: seed, lattice, component and period, four entries of a list.
 #define BL_LATTICE_PARAMETERS(block, what) BL_LATTICE_PARAMETERS_WITH(block, what, "hash")
 
 // The same with another default lattice.
 #define BL_LATTICE_PARAMETERS_WITH(block, what, usual)                                             \
+    BL_LATTICE_PARAMETERS_OF(block, what, usual, bl_period_examples)
+
+// The same with periods of its own for the tests.
+#define BL_LATTICE_PARAMETERS_OF(block, what, usual, periods)                                      \
     BL_SEED_PARAMETER(block, lattice.seed, what),                                                  \
         {.key = "lattice",                                                                         \
          .kind = BL_CHOICE,                                                                        \
@@ -41,18 +53,11 @@ static const char *const bl_period_examples[] = {"4,8,16", "3", "5,0,300,7", NUL
          .fallback = usual,                                                                        \
          .unit = "",                                                                               \
          .help = "hash of the 64-bit cell, or the text's permutation of 256"},                     \
-        {.key = "component",                                                                       \
-         .kind = BL_INTEGER,                                                                       \
-         .offset = offsetof(block, lattice.component),                                             \
-         .maximum = 3,                                                                             \
-         .fallback = "0",                                                                          \
-         .unit = "",                                                                               \
-         .help = "of a vector-valued noise: independent noises of one seed"},                      \
-    {                                                                                              \
+        BL_COMPONENT_PARAMETER(block, lattice.component), {                                        \
         .key = "period", .kind = BL_LIST, .offset = offsetof(block, lattice.period),               \
         .maximum = 4294967295.0, .fallback = "0", .unit = "cells",                                 \
         .help = "after which the noise repeats, one number or one an axis; 0: never",              \
-        .examples = bl_period_examples                                                             \
+        .examples = periods                                                                        \
     }
 
 #endif

@@ -5,6 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/fft.h"
+#include "noises/tile_covariance.h"
+
 const uint32_t bl_displacement_sizes[BL_TILE_AXES] = {256, 64, 0};
 
 // A walk through the levels. Numbers are taken in a fixed order; a class is a run of them whose
@@ -206,6 +209,56 @@ bl_status bl_displacement_variance(const bl_displacement *settings, double *vari
     return BL_OK;
 }
 
+// Adds `weight` times the powers of the grid's harmonics; `buffer` has room for a transform.
+static void add_powers(const bl_tile *tile, const bl_fft *plan, const double *grid, double weight,
+                       double *buffer, double *powers) {
+    const size_t width = tile->size[0], height = tile->size[1];
+    const double scale = weight / ((double)(width * height) * (double)(width * height));
+    for (size_t y = 0; y < height; y++)
+        memcpy(buffer + y * (width + 2), grid + y * width, width * sizeof *grid);
+    bl_fft_run(plan, buffer);
+    for (size_t i = 0; i < height * (width + 2); i += 2)
+        powers[i] += scale * (buffer[i] * buffer[i] + buffer[i + 1] * buffer[i + 1]);
+}
+
+// The random numbers are independent, so the powers of what each one does add up; those of a class
+// have the same: the grids around a midpoint are their own reflections in x = y.
+static bl_status find_covariance(const bl_displacement *settings, double variance, bl_tile *tile,
+                                 bl_message *message) {
+    const bl_fft *plan;
+    bl_fft_shape shape = {.kind = BL_FFT_REAL,
+                          .precision = BL_FFT_DOUBLE,
+                          .dims = 3,
+                          .size = {1, tile->size[1], tile->size[0]}};
+    bl_status status = bl_fft_plan(&shape, &plan, message);
+    if (status != BL_OK)
+        return status;
+    double *powers = bl_tile_powers(tile), *buffer = bl_fft_buffer(bl_fft_bytes(&shape));
+    double *grid = malloc(bl_tile_count(tile->size) * sizeof *grid);
+    double *one = calloc(bl_displacement_count(settings), sizeof *one);
+    if (powers && buffer && grid && one) {
+        walk classes = walk_all(settings, NULL, grid);
+        classes.class_start[classes.classes] = classes.taken;
+        for (unsigned c = 0; c < classes.classes; c++) {
+            size_t start = classes.class_start[c], members = classes.class_start[c + 1] - start;
+            one[start] = 1;
+            walk_all(settings, one, grid);
+            one[start] = 0;
+            bl_tile_prefilter(grid, tile->size, (bl_tile_kernel)tile->kernel[0]);
+            add_powers(tile, plan, grid, (double)members / variance, buffer, powers);
+        }
+        status = bl_tile_set_powers(tile, powers, message);
+    } else {
+        status = bl_report(message, BL_DEVICE, "out of memory for a tile of %zu numbers",
+                           bl_tile_count(tile->size));
+        free(powers);
+    }
+    free(buffer);
+    free(grid);
+    free(one);
+    return status;
+}
+
 bl_status bl_displacement_build(const bl_displacement *settings, double *scale, bl_tile *tile,
                                 bl_message *message) {
     if (*scale == 0) {
@@ -215,8 +268,12 @@ bl_status bl_displacement_build(const bl_displacement *settings, double *scale, 
             return status;
         *scale = 1 / sqrt(variance);
     }
-    *tile = (bl_tile){.dimensions = settings->tile.dimensions, .rate = settings->tile.samples};
-    bl_tile_sizes(&settings->tile, bl_displacement_sizes, tile->size);
+    bl_tile_begin(tile, &settings->tile, bl_displacement_sizes, settings->tile.samples);
+    if (bl_tile_wants_covariance(tile)) {
+        bl_status status = find_covariance(settings, 1 / (*scale * *scale), tile, message);
+        if (status != BL_OK)
+            return status;
+    }
     size_t count = bl_tile_count(tile->size), numbers = bl_displacement_count(settings);
     double *grid = malloc(count * sizeof *grid), *number = malloc(numbers * sizeof *number);
     bl_status status = BL_DEVICE;
@@ -224,8 +281,6 @@ bl_status bl_displacement_build(const bl_displacement *settings, double *scale, 
         bl_random random = bl_random_seed(settings->tile.seed, settings->all ? 21 : 20);
         bl_tile_numbers(&random, number, numbers);
         bl_displacement_fill(settings, number, grid);
-        for (uint32_t a = 0; a < BL_TILE_AXES; a++)
-            tile->kernel[a] = settings->tile.interp;
         bl_tile_prefilter(grid, tile->size, (bl_tile_kernel)settings->tile.interp);
         status = bl_tile_make(tile, grid, *scale, message);
     } else {
@@ -233,6 +288,8 @@ bl_status bl_displacement_build(const bl_displacement *settings, double *scale, 
     }
     free(grid);
     free(number);
+    if (status != BL_OK)
+        bl_tile_release(tile);
     return status;
 }
 

@@ -34,8 +34,8 @@
 // Band: 0 to the highest harmonic, along an axis; the leak is the exact share of the images, -51 dB
 // with the default settings, -79 dB with samples=8. Class: C2, C1, C0 or discontinuous, that of the
 // kernel. In two and three dimensions the spectrum is isotropic but for the square grid of its
-// harmonics and the images, which are not. There is no closed form of the kind that the analyses
-// use: the covariance is a finite sum of cosines, which has no end.
+// harmonics and the images, which are not. The covariance over places and seeds is exact
+// (noises/tile_covariance.h); it repeats with the tile, so that the spectrum is one of lines.
 // Known defects: it repeats, and all of it must be made before one value is known.
 // NaN, infinity, and coordinates beyond 2^62 give NaN; 2^52 is where doubles lose the fraction.
 //
@@ -51,6 +51,7 @@
 #include "noises/noise.h"
 #include "noises/textbook_loops.h"
 #include "noises/synthesis.h"
+#include "noises/tile_covariance.h"
 #include "noises/tile_points.h"
 
 typedef struct fourier_parameters {
@@ -130,7 +131,7 @@ static const bl_parameter parameters[] = {
      .fallback = "fixed",
      .unit = "",
      .help = "of the cosines: those of the spectrum, or random about them"},
-    BL_TILE_SIZE_PARAMETER(fourier_parameters, of.tile.size),
+    BL_TILE_SIZE_PARAMETER(fourier_parameters, of.tile.size, "256, 64, 32 in 1, 2, 3 dimensions"),
     {.key = "samples",
      .kind = BL_INTEGER,
      .offset = AT(tile.samples),
@@ -177,10 +178,12 @@ BL_NOISE_DESCRIPTOR(fourier_synthesis) = {
     .describe = describe,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_TILE_SETTINGS,
+    .has_closed_form = bl_tile_noise_has_covariance,
     .functions = {.row = bl_tile_noise_row,
                   .points = bl_tile_noise_points,
                   .value = bl_tile_noise_value,
                   .gradient = bl_tile_noise_gradient,
+                  .covariance = bl_tile_noise_covariance,
                   .build = build,
                   .release = release},
 };

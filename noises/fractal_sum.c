@@ -9,7 +9,7 @@
 //   basis   any noise, with its settings as basis.KEY (but for seed); default gnoise
 //   min     frequency of the first octave, cells of the basis a unit, 1/256 to 4096; default 1
 //   max     octaves end below it, 1/256 to 4096; default 16; the sum is 0 if max <= min
-//   width   units between samples, 0 to 1e30; default 0, which keeps all octaves
+//   width   units between samples, 0 to inf; default 0, which keeps all octaves
 //   clamp   fade, hard or none: how octaves beyond 1/(2 width) go (noises/octaves.h); what goes
 //           leaves the mean of the basis, which is 0 for most
 //

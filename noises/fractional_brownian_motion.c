@@ -24,8 +24,9 @@
 // Bound: the sum of gain^i times the bound of the basis. Mean: the sum of gain^i times its mean.
 // Variance: the sum of gain^2i times its variance. With seeds=fresh this is exact everywhere, since
 // octaves are independent; with seeds=same at a random place, if lacunarity >= 3/2
-// (noises/octaves.h); else it is not stated. Covariance and density add up in the same way; not
-// stated with rotate=random, where the mean over seeds is one over all directions.
+// (noises/octaves.h); else it is not stated. Covariance and density add up in the same way;
+// with rotate=random the mean over seeds is one over all directions, and they are stated for an
+// isotropic basis alone, which it does not change.
 // Band: up to the highest octave's frequency times the band of the basis; the exact share above.
 // Class of continuity, stationarity: those of the basis. Period: the basis's, if all octaves repeat
 // with some power of two times it; none with rotate=random. Far: where the highest octave loses its

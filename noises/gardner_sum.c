@@ -13,7 +13,8 @@
 //   seed    0: the text's place; any other moves the place by up to 2^10 units along each axis.
 //           There is nothing else to draw: it is one function
 //   terms   1 to 8; default 5, the text's
-//   width   units between samples, 0 to 1e30; default 0, which keeps all terms
+//   width   units between samples, 0 to inf, which keeps the mean alone; default 0, which
+//           keeps all terms
 //   clamp   fade, hard or none: how a term goes whose larger frequency u_i or v_i is beyond
 //           1/(2 width); the weights are those of noises/octaves.h. It leaves its mean A_i^2/4
 //
@@ -24,8 +25,10 @@
 // Mean: the sum of A_i^2/4, exact over all the plane. Every cross term has the mean 0, because cos
 // a_i is a wave in x whose frequency u_i is no sum of harmonics of the u_{i-1} within b_i and their
 // like in y at once: u_2 = 2 u_1, but v_2 = 2.12 v_1.
-// Variance, band: not stated; phases that wave make sidebands beyond the nominal frequencies, at
-// sums with multiples of u_{i-1} and v_{i-1}. Class: C-infinity, all derivatives exist.
+// Variance: exact for at most 7 terms, from the covariance over places, which is a closed form
+// without an end (noises/gardner_theory.h): its spectrum is one of lines. Band: not stated; phases
+// that wave make sidebands beyond the nominal frequencies, at sums with multiples of u_{i-1} and
+// v_{i-1}. Class: C-infinity, all derivatives exist.
 // Period: that of the frequencies, which are whole multiples of a common one: with 5 terms
 // 10869.565... (250000/23) units along x and 3720238.095... (78125000/21) along y; to rounding,
 // because these are no doubles. Far: 2^52, where doubles are whole.
@@ -43,11 +46,12 @@
 #include "core/continuity.h"
 #include "core/random.h"
 #include "noises/common_parameters.h"
+#include "noises/gardner_theory.h"
 #include "noises/noise.h"
 #include "noises/octaves.h"
 #include "noises/separable.h"
 
-enum { TERMS_MOST = 8 };
+enum { TERMS_MOST = BL_GARDNER_TERMS };
 
 typedef struct gardner_parameters {
     uint64_t seed;
@@ -55,23 +59,13 @@ typedef struct gardner_parameters {
     double width;
 } gardner_parameters;
 
-// What the parameters make: constant for a call.
-typedef struct gardner_terms {
-    unsigned count;
-    double across[TERMS_MOST], up[TERMS_MOST]; // u_i and v_i, cycles a unit
-    double square[TERMS_MOST];                 // A_i^2, times the weight kept
-    double x, y;                               // added to the coordinates
-    double lost;                               // the sum of the means of what is removed
-    double all;                                // of all A_i^2
-} gardner_terms;
-
 #define FIRST_X_PHASE 0.9
 #define FIRST_Y_PHASE 0.7
-#define X_PHASE (0.9 * M_PI_2)
-#define Y_PHASE (1.1 * M_PI_2)
+#define X_PHASE BL_GARDNER_X_PHASE
+#define Y_PHASE BL_GARDNER_Y_PHASE
 
-static gardner_terms terms_of(const gardner_parameters *p) {
-    gardner_terms terms = {.x = 13, .y = 96};
+static bl_gardner_terms terms_of(const gardner_parameters *p) {
+    bl_gardner_terms terms = {.x = 13, .y = 96};
     double across = 0.023, up = 0.021, amplitude = 0.3;
     for (unsigned i = 0; i < p->terms; i++) {
         double square = amplitude * amplitude;
@@ -140,7 +134,7 @@ static void add_term(gardner_block *restrict block, size_t count, double across,
 
 static void points(const void *parameters, const double *const at[BL_AXES], size_t count,
                    float *out) {
-    gardner_terms terms = terms_of(parameters);
+    bl_gardner_terms terms = terms_of(parameters);
     gardner_block block;
     for (size_t done = 0; done < count; done += BL_BLOCK) {
         size_t here = count - done < BL_BLOCK ? count - done : BL_BLOCK;
@@ -175,7 +169,7 @@ static double wave(double turns, double *slope) {
 
 static double reference(const void *parameters, const double at[BL_AXES],
                         double gradient[BL_AXES]) {
-    gardner_terms terms = terms_of(parameters);
+    bl_gardner_terms terms = terms_of(parameters);
     double x = at[0] + terms.x, y = at[1] + terms.y, sum = terms.lost;
     double x_phase = FIRST_X_PHASE, y_phase = FIRST_Y_PHASE, x_phase_slope = 0, y_phase_slope = 0;
     int inside = fabs(at[0]) < 0x1p62 && fabs(at[1]) < 0x1p62;
@@ -236,8 +230,18 @@ static double period_of(unsigned count, multipliers m) {
     return 1000.0 * (double)unit / (double)common;
 }
 
+static double covariance(const void *parameters, const double lag[BL_AXES]) {
+    bl_gardner_terms terms = terms_of(parameters);
+    return bl_gardner_covariance(&terms, lag);
+}
+
+static int has_closed_form(const void *parameters) {
+    unsigned count = terms_of(parameters).count;
+    return count > 0 && count <= BL_GARDNER_KNOWN;
+}
+
 static void describe(const void *parameters, bl_facts *facts) {
-    gardner_terms terms = terms_of(parameters);
+    bl_gardner_terms terms = terms_of(parameters);
     double kept = 0;
     for (unsigned i = 0; i < terms.count; i++)
         kept += terms.square[i];
@@ -247,6 +251,10 @@ static void describe(const void *parameters, bl_facts *facts) {
     facts->mean = terms.count ? terms.all / 4 : terms.lost;
     if (terms.count == 0)
         facts->variance = 0;
+    if (has_closed_form(parameters)) {
+        facts->variance = bl_gardner_covariance(&terms, (const double[BL_AXES]){0});
+        facts->covariance_reach = INFINITY;
+    }
     facts->continuity = BL_CONTINUITY_ALL;
     for (int a = 0; a < BL_AXES; a++)
         facts->period[a] = 0;
@@ -291,7 +299,7 @@ static const bl_parameter parameters[] = {
     {.key = "width",
      .kind = BL_REAL,
      .offset = offsetof(gardner_parameters, width),
-     .maximum = 1e30,
+     .maximum = INFINITY,
      .fallback = "0",
      .unit = "units",
      .help = "between samples: terms beyond 1/(2 width) are removed; 0 keeps all"},
@@ -317,5 +325,6 @@ BL_NOISE_DESCRIPTOR(gardner_sum) = {
     .describe = describe,
     .textbook = textbook,
     .textbook_settings = "",
-    .functions = {.row = row, .points = points, .value = value, .gradient = gradient},
+    .has_closed_form = has_closed_form,
+    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, .covariance = covariance},
 };

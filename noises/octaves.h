@@ -39,6 +39,7 @@
 #ifndef BL_NOISES_OCTAVES_H
 #define BL_NOISES_OCTAVES_H
 
+#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -180,7 +181,7 @@ extern const char *const bl_octave_basis_examples[];
         {.key = "width",                                                                           \
          .kind = BL_REAL,                                                                          \
          .offset = offsetof(block, field.width),                                                   \
-         .maximum = 1e30,                                                                          \
+         .maximum = INFINITY,                                                                      \
          .fallback = "0",                                                                          \
          .unit = "units",                                                                          \
          .help = "between samples: octaves beyond 1/(2 width) are removed; 0 keeps all"},          \

@@ -34,8 +34,10 @@ static int are_uncorrelated(const bl_octaves *octaves) {
 
 int bl_octaves_has_closed_form(const void *parameters) {
     const bl_octaves *octaves = octaves_of(parameters);
-    // Over seeds, random rotations average the covariance over all directions.
-    int turned = octaves->rules.rotate && octaves->plan.evaluated > 1;
+    // Over seeds, random rotations average the covariance over all directions, which changes it but
+    // where it is a function of the distance alone.
+    int turned = octaves->rules.rotate && octaves->plan.evaluated > 1 &&
+                 octaves->seeded[0]->facts.isotropic != 1;
     return octaves->rules.fold == BL_FOLD_NONE && octaves->plan.evaluated > 0 && !turned &&
            are_uncorrelated(octaves) && bl_signal_has_closed_form(octaves->seeded[0]);
 }
@@ -219,6 +221,8 @@ void bl_octaves_describe(const void *parameters, bl_facts *facts) {
     if (!bl_octaves_has_closed_form(parameters))
         return;
     facts->covariance_reach = basis->covariance_reach / frequency[0];
+    if (isinf(facts->covariance_reach)) // no density, of which to take shares
+        return;
     facts->band_from = 0;
     facts->band_to = octaves->top * frequency[evaluated - 1];
     facts->leak_db = ceil(1000 * log10(sum_above(octaves, facts->band_to))) / 100;

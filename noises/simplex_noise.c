@@ -10,7 +10,8 @@
 // Back goes d_i = u_i - G sum_j u_j, G = (1 - 1/sqrt(n+1))/n.
 //
 // Parameters
-//   seed     64 bits, chooses the gradients
+//   seed, lattice, component, period   the gradients (noises/lattice.h); the cells are those of
+//            the skewed lattice. A period is a multiple of 3, and for dims=3 alone
 //   dims     n = 2 to 4, default 3: coordinates beyond them are ignored
 //   radius2  r2 = 0.5 (default), or 0.6 as is often seen
 //
@@ -36,13 +37,16 @@
 //   r2 = 0.6   2-D 0.0288816, N = 34     3-D 0.0305849, N = 32     4-D 0.0367301, N = 26
 //
 // Mean 0. For r2 = 0.5 the sum is one over all points of the lattice, and covariance, variance,
-// density and band are exact (noises/simplex_theory.h). They are functions of the distance alone:
-// over random places the noise is isotropic. For r2 = 0.6 the kernel is cut to the shape of the
-// simplices, and there is no closed form.
+// density and band are exact (noises/simplex_theory.h) where no two cells share a number. They are
+// functions of the distance alone: over random places the noise is isotropic. The variance is the
+// same with any period, because 3 is more than the sqrt 2 that two gradients which meet are apart.
+// For r2 = 0.6 the kernel is cut to the shape of the simplices, and there is no closed form.
 //
-// Period: none, and no key for one. Whole numbers shift the lattice into itself along an axis in
-// 3-D by multiples of 3 only (u moves by (4, 1, 1), F = 1/3), and in 2-D and 4-D never: F is
-// irrational. NaN, infinity and coordinates beyond 2^62 give NaN. The skew is good to 2^-52 of a
+// Period: what the key sets. Whole numbers shift the lattice into itself along an axis in 3-D by
+// multiples of 3 only (u moves by (4, 1, 1), F = 1/3), and in 2-D and 4-D never: F is irrational.
+// lattice=perm256 repeats after 256 in the skewed numbers: after 768 units in 3-D, never in 2-D and
+// 4-D.
+// NaN, infinity and coordinates beyond 2^62 give NaN. The skew is good to 2^-52 of a
 // cell everywhere (noises/simplex_place.h), so the noise is as good far out as near; from 2^52 on
 // coordinates are whole numbers.
 //
@@ -61,7 +65,7 @@
 #include "noises/simplex_theory.h"
 
 typedef struct simplex_parameters {
-    uint64_t seed;
+    bl_lattice_settings lattice;
     uint32_t dimensions;
     uint32_t radius2;
 } simplex_parameters;
@@ -76,7 +80,7 @@ static const double normalisations[2][BL_AXES + 1] = {{0, 0, 99, 76, 61}, {0, 0,
 
 BL_INLINE void points_of(const simplex_parameters *p, unsigned dims,
                          const double *const at[BL_AXES], size_t count, float *out) {
-    const bl_lattice lattice = bl_lattice_of(p->seed, BL_LATTICE_HASH);
+    const bl_lattice lattice = bl_lattice_open(&p->lattice);
     simplex_points(&lattice, dims, (float)radii[p->radius2],
                    (float)normalisations[p->radius2][dims], at, count, out);
 }
@@ -101,27 +105,28 @@ static void row(const void *block, const double start[BL_AXES], const double ste
 static double reference(const void *block, const double at[BL_AXES], double gradient[BL_AXES]) {
     const simplex_parameters *p = block;
     const unsigned dims = p->dimensions;
-    const bl_lattice lattice = bl_lattice_of(p->seed, BL_LATTICE_HASH);
+    const bl_lattice lattice = bl_lattice_open(&p->lattice);
     const double scale = normalisations[p->radius2][dims];
     simplex_place place;
     double sum = 0, slopes[BL_AXES] = {0};
-    uint32_t rank[BL_AXES] = {0};
+    uint32_t rank[BL_AXES] = {0}, words256[256];
     int inside = simplex_place_of(dims, at, &place);
+    if (lattice.kind == BL_LATTICE_PERM256)
+        bl_perm256_words(&lattice, 0, words256);
     if (inside)
         simplex_ranks(dims, place.fraction, rank);
     for (uint32_t k = 0; inside && k <= dims; k++) {
-        uint32_t add = 0, exclusive = 0;
+        uint64_t corner[BL_AXES] = {0};
         double d[BL_AXES] = {0}, square = 0, dot = 0;
         for (unsigned a = 0; a < dims; a++) {
             int stepped = rank[a] < k;
-            bl_lattice_key key = bl_lattice_key_of(&lattice, a, place.cell[a] + (stepped ? 1 : 0));
-            add += key.add;
-            exclusive ^= key.exclusive;
+            corner[a] = place.cell[a] + (stepped ? 1 : 0);
             d[a] = simplex_offset(dims, place.fraction[a], place.total) - stepped +
                    k * simplex_unskews[dims];
             square += d[a] * d[a];
         }
-        simplex_gradient g = simplex_gradient_of(dims, add * exclusive);
+        simplex_gradient g =
+            simplex_gradient_of(dims, simplex_word(&lattice, dims, corner, words256));
         const double components[BL_AXES] = {g.x, g.y, g.z, g.w};
         double t = fmax(0, radii[p->radius2] - square);
         for (unsigned a = 0; a < dims; a++)
@@ -171,7 +176,12 @@ static double density(const void *block, const double frequency[BL_AXES]) {
 
 static int has_closed_form(const void *block) {
     const simplex_parameters *p = block;
-    return p->radius2 == 0;
+    return p->radius2 == 0 && bl_lattice_is_hash(&p->lattice);
+}
+
+// Cells that lie further apart than two kernels reach may share their numbers.
+static int has_variance(const simplex_parameters *p) {
+    return p->radius2 == 0 && bl_lattice_differs_within(&p->lattice, p->dimensions, M_SQRT2);
 }
 
 static unsigned dimensions_of(const void *block) {
@@ -179,23 +189,55 @@ static unsigned dimensions_of(const void *block) {
     return p->dimensions;
 }
 
+static bl_status validate(const void *block, bl_message *message) {
+    const simplex_parameters *p = block;
+    for (unsigned a = 0; a < p->dimensions; a++) {
+        uint32_t period = p->lattice.period[a];
+        if (period && p->dimensions != 3)
+            return bl_report(message, BL_USAGE,
+                             "period=%u: simplices of %u dimensions never fall on themselves after "
+                             "a shift along an axis; take dims=3, or leave `period` out",
+                             period, p->dimensions);
+        if (period % 3)
+            return bl_report(message, BL_USAGE,
+                             "period=%u along %c: the simplices fall on themselves after multiples "
+                             "of 3 only; the next one is %u",
+                             period, "xyzw"[a],
+                             period > UINT32_MAX - 2 ? period - period % 3
+                                                     : period + 3 - period % 3);
+    }
+    return BL_OK;
+}
+
+// lattice=perm256 repeats after 256 in the skewed numbers, which a shift by 768 reaches; a period
+// that is a multiple of it adds nothing.
+static double period_of(const simplex_parameters *p, unsigned axis) {
+    double own = p->lattice.period[axis];
+    if (p->lattice.kind == BL_LATTICE_PERM256 && p->dimensions == 3 && axis < 3 &&
+        fmod(own, 768) == 0)
+        return 768;
+    return own;
+}
+
 static void describe(const void *block, bl_facts *facts) {
+    const simplex_parameters *p = block;
     facts->lower = -1;
     facts->upper = 1;
     facts->bound_proof =
         "the sum over the corners of the largest g . d times the kernel, certified "
         "over the simplex by branch and bound, times N";
     facts->mean = 0;
-    facts->continuity = has_closed_form(block) ? 3 : -1;
-    for (int axis = 0; axis < BL_AXES; axis++)
-        facts->period[axis] = 0;
+    facts->continuity = p->radius2 == 0 ? 3 : -1;
+    for (unsigned axis = 0; axis < BL_AXES; axis++)
+        facts->period[axis] = period_of(p, axis);
     facts->cell = 0; // its planes are not at whole numbers
     facts->far = 0x1p52;
+    if (has_variance(p))
+        facts->variance = covariance(block, (const double[BL_AXES]){0});
     if (!has_closed_form(block))
         return;
     facts->isotropic = 1;
     facts->covariance_reach = M_SQRT2;
-    facts->variance = covariance(block, (const double[BL_AXES]){0});
     facts->band_from = 0;
     facts->band_to = 2;
     double above = bl_covariance_share_above(covariance, block, M_SQRT2, 2);
@@ -233,8 +275,11 @@ static float textbook(float x, float y, float z) {
     return 76 * sum;
 }
 
+// Multiples of 3.
+static const char *const period_examples[] = {"6,9,12", "3", "6,0,300,9", NULL};
+
 static const bl_parameter parameters[] = {
-    BL_SEED_PARAMETER(simplex_parameters, seed, "the gradients"),
+    BL_LATTICE_PARAMETERS_OF(simplex_parameters, "the gradients", "hash", period_examples),
     BL_DIMENSIONS_PARAMETER(simplex_parameters, 2, 4, "3"),
     {.key = "radius2",
      .kind = BL_CHOICE,
@@ -256,8 +301,9 @@ BL_NOISE_DESCRIPTOR(simplex_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(simplex_parameters),
-    .seed_offset = offsetof(simplex_parameters, seed),
+    .seed_offset = offsetof(simplex_parameters, lattice.seed),
     .dimensions_of = dimensions_of,
+    .validate = validate,
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

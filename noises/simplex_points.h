@@ -4,13 +4,15 @@
 //
 // A block is placed once (noises/simplex_place.h): near points side by side, far ones, which are
 // put in afterwards, one by one. Corner k is one step further along the k axes of the least ranks,
-// so that the additive half of its key is that of corner 0 plus k steps, whichever these are.
+// so that the additive half of its key is that of corner 0 plus k steps, whichever these are. Where
+// cells stand for others (a period, lattice=perm256) the words are made point by point.
 #ifndef BL_NOISES_SIMPLEX_POINTS_H
 #define BL_NOISES_SIMPLEX_POINTS_H
 
 #include "noises/lattice.h"
 #include "noises/separable.h"
 #include "noises/simplex_place.h"
+#include "noises/simplex_words.h"
 
 typedef struct simplex_gradient {
     float x, y, z, w;
@@ -73,6 +75,7 @@ typedef struct simplex_block {
     size_t lanes; // the points, rounded up to a multiple of BL_LANES
     double at[BL_AXES][BL_BLOCK];
     uint32_t add[BL_BLOCK], exclusive[BL_AXES][2][BL_BLOCK], rank[BL_AXES][BL_BLOCK];
+    uint32_t word[BL_AXES + 1][BL_BLOCK]; // of the corners, for lattices that are not plain
     float offset[BL_AXES][BL_BLOCK];
     uint32_t strange; // whether there are points that are not near
     uint8_t outside[BL_BLOCK];
@@ -207,27 +210,83 @@ static void simplex_load_far(simplex_block *block, const bl_lattice *lattice, un
     }
 }
 
-// What corner k adds to point i.
-BL_INLINE float simplex_corner(const simplex_block *block, unsigned dims, const uint32_t k,
-                               float radius2, size_t i) {
+// Places all points and makes the words of their corners, for any lattice.
+static void simplex_load_words(simplex_block *block, const bl_lattice *lattice,
+                               const uint32_t words256[256], unsigned dims,
+                               const double *const at[BL_AXES], size_t from, size_t count) {
+    for (size_t i = 0; i < block->lanes; i++) {
+        double x[BL_AXES] = {0};
+        for (unsigned a = 0; a < dims && i < count; a++)
+            x[a] = at[a][from + i];
+        simplex_place place = {0};
+        uint32_t rank[BL_AXES];
+        block->outside[i] = !simplex_place_of(dims, x, &place);
+        simplex_ranks(dims, place.fraction, rank);
+        for (unsigned a = 0; a < dims; a++) {
+            block->rank[a][i] = rank[a];
+            block->offset[a][i] = (float)simplex_offset(dims, place.fraction[a], place.total);
+        }
+        for (uint32_t k = 0; k <= dims; k++) {
+            uint64_t corner[BL_AXES];
+            for (unsigned a = 0; a < dims; a++)
+                corner[a] = place.cell[a] + (rank[a] < k);
+            block->word[k][i] = simplex_word(lattice, dims, corner, words256);
+        }
+    }
+    block->strange = 1; // there may be points outside
+}
+
+// The word of corner k of point i on a plain lattice.
+BL_INLINE uint32_t simplex_corner_word(const simplex_block *block, unsigned dims, const uint32_t k,
+                                       size_t i) {
     uint32_t exclusive = 0;
+    for (unsigned a = 0; a < dims; a++)
+        exclusive ^= block->rank[a][i] < k ? block->exclusive[a][1][i] : block->exclusive[a][0][i];
+    return (block->add[i] + k * BL_LATTICE_M1) * exclusive;
+}
+
+// What corner k, of that word, adds to point i.
+BL_INLINE float simplex_corner(const simplex_block *block, unsigned dims, const uint32_t k,
+                               uint32_t word, float radius2, size_t i) {
     float d[BL_AXES] = {0}, square = 0;
     const float back = (float)(k * simplex_unskews[dims]);
     for (unsigned a = 0; a < dims; a++) {
-        int stepped = block->rank[a][i] < k;
-        exclusive ^= stepped ? block->exclusive[a][1][i] : block->exclusive[a][0][i];
-        d[a] = (block->offset[a][i] + back) - (stepped ? 1.0f : 0.0f);
+        d[a] = (block->offset[a][i] + back) - (block->rank[a][i] < k ? 1.0f : 0.0f);
         square += d[a] * d[a];
     }
     float t = radius2 - square;
     t = t > 0 ? t * t : 0;
-    return t * t * simplex_dot(dims, (block->add[i] + k * BL_LATTICE_M1) * exclusive, d);
+    return t * t * simplex_dot(dims, word, d);
+}
+
+BL_INLINE void simplex_add_corners(const simplex_block *restrict block, const unsigned dims,
+                                   const int plain, float radius2, float scale,
+                                   float *restrict sum) {
+#define SIMPLEX_CORNER(k)                                                                          \
+    simplex_corner(block, dims, k,                                                                 \
+                   plain ? simplex_corner_word(block, dims, k, i) : block->word[k][i], radius2, i)
+#pragma omp simd
+    for (size_t i = 0; i < block->lanes; i++) {
+        float all = SIMPLEX_CORNER(0);
+        all += SIMPLEX_CORNER(1);
+        all += SIMPLEX_CORNER(2);
+        if (dims > 2)
+            all += SIMPLEX_CORNER(3);
+        if (dims > 3)
+            all += SIMPLEX_CORNER(4);
+        sum[i] = all * scale;
+    }
+#undef SIMPLEX_CORNER
 }
 
 BL_INLINE void simplex_points(const bl_lattice *lattice, const unsigned dims, float radius2,
                               float scale, const double *const at[BL_AXES], size_t count,
                               float *out) {
+    const int plain = simplex_is_plain(lattice);
+    uint32_t words256[256];
     simplex_block block;
+    if (lattice->kind == BL_LATTICE_PERM256)
+        bl_perm256_words(lattice, 0, words256);
     for (size_t done = 0; done < count; done += BL_BLOCK) {
         size_t here = count - done < BL_BLOCK ? count - done : BL_BLOCK;
         float sum[BL_BLOCK];
@@ -236,19 +295,14 @@ BL_INLINE void simplex_points(const bl_lattice *lattice, const unsigned dims, fl
             for (unsigned a = 0; a < dims; a++)
                 for (size_t i = BL_BLOCK; i < 2 * BL_BLOCK; i += 8)
                     __builtin_prefetch(at[a] + done + i);
-        simplex_load_near(&block, lattice, dims);
-        if (block.strange)
-            simplex_load_far(&block, lattice, dims, at, done, here);
-#pragma omp simd
-        for (size_t i = 0; i < block.lanes; i++) {
-            float all = simplex_corner(&block, dims, 0, radius2, i);
-            all += simplex_corner(&block, dims, 1, radius2, i);
-            all += simplex_corner(&block, dims, 2, radius2, i);
-            if (dims > 2)
-                all += simplex_corner(&block, dims, 3, radius2, i);
-            if (dims > 3)
-                all += simplex_corner(&block, dims, 4, radius2, i);
-            sum[i] = all * scale;
+        if (plain) {
+            simplex_load_near(&block, lattice, dims);
+            if (block.strange)
+                simplex_load_far(&block, lattice, dims, at, done, here);
+            simplex_add_corners(&block, dims, 1, radius2, scale, sum);
+        } else {
+            simplex_load_words(&block, lattice, words256, dims, at, done, here);
+            simplex_add_corners(&block, dims, 0, radius2, scale, sum);
         }
         memcpy(out + done, sum, here * sizeof *out);
         for (size_t i = 0; block.strange && i < here; i++)

@@ -27,7 +27,8 @@
 // 0 and variance 1, over places and seeds: exact, from the squares of what each single number does
 // (noises/displacement.c). Period: the tile. Class: C2, C1, C0 or discontinuous, that of the
 // kernel. Band: none. The spectrum falls about as f^-(2H+1) in one dimension and f^-(2H+2) in two,
-// from 1/tile on, and images of it stand beyond samples/2 cycles a unit. No closed form is stated.
+// from 1/tile on, and images of it stand beyond samples/2 cycles a unit. The covariance,
+// over places and seeds, is exact and repeats with the tile (noises/tile_covariance.h).
 //
 // Known defects: smoother than midpoint displacement, since old points move too, but still
 // cyclostationary on each level's lattice (a point that was refined has a smaller variance than its
@@ -43,6 +44,7 @@
 #include "noises/displacement.h"
 #include "noises/noise.h"
 #include "noises/textbook_loops.h"
+#include "noises/tile_covariance.h"
 #include "noises/tile_points.h"
 
 typedef struct additions_parameters {
@@ -98,7 +100,7 @@ static const bl_parameter parameters[] = {
      .fallback = "2",
      .unit = "",
      .help = "the ratio of the spacings of two levels"},
-    BL_TILE_SIZE_PARAMETER(additions_parameters, of.tile.size),
+    BL_TILE_SIZE_PARAMETER(additions_parameters, of.tile.size, "256, 64 in 1, 2 dimensions"),
     BL_TILE_SAMPLES_PARAMETER(additions_parameters, of.tile.samples),
     BL_TILE_INTERP_PARAMETER(additions_parameters, of.tile.interp, "catmull-rom"),
     {.key = NULL}};
@@ -118,5 +120,6 @@ BL_NOISE_DESCRIPTOR(successive_additions) = {
     .describe = describe,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_TILE_SETTINGS,
+    .has_closed_form = bl_tile_noise_has_covariance,
     .functions = {BL_TILE_FUNCTIONS, .build = build},
 };

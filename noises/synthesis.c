@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "core/fft.h"
+#include "noises/tile_covariance.h"
 
 const uint32_t bl_synthesis_sizes[BL_TILE_AXES] = {256, 64, 32};
 
@@ -139,29 +140,28 @@ typedef struct synthesis {
     bl_random random;
 } synthesis;
 
-static double *harmonic_at(const synthesis *in, int x, int y, int z) {
-    size_t width = in->tile->size[0] / 2 + 1;
-    size_t row = ((uint32_t)z & (in->tile->size[2] - 1)) * (size_t)in->tile->size[1] +
-                 ((uint32_t)y & (in->tile->size[1] - 1));
-    return in->buffer + 2 * (row * width + (size_t)x);
+// The power of a pair in the numbers: more than it has as it is read.
+static double power_in_tile(const synthesis *in, const int k[3]) {
+    double power = in->factor * raw_power(in->settings, in->tile, k);
+    for (int a = 0; a < BL_TILE_AXES && power > 0; a++)
+        power /= in->transform[a][abs(k[a])] * in->transform[a][abs(k[a])];
+    return power;
 }
 
 static void draw_pair(void *context, const int k[3]) {
     synthesis *in = context;
-    double power = in->factor * raw_power(in->settings, in->tile, k);
+    double power = power_in_tile(in, k);
     if (power <= 0)
         return;
-    for (int a = 0; a < BL_TILE_AXES; a++)
-        power /= in->transform[a][abs(k[a])] * in->transform[a][abs(k[a])];
     double angle = 2 * M_PI * bl_random_unit(&in->random), size = sqrt(power / 2);
     if (in->settings->amplitudes == BL_SYNTHESIS_GAUSSIAN)
         // The size of a complex normal number of mean square 1; u >= 2^-54.
         size *= sqrt(-log(((double)(bl_random_bits(&in->random) >> 11) + 0.5) * 0x1p-53));
-    double *here = harmonic_at(in, k[0], k[1], k[2]);
+    double *here = bl_tile_power_at(in->tile, in->buffer, k);
     here[0] = size * cos(angle);
     here[1] = size * sin(angle);
     if (k[0] == 0) { // the mirror stands in the same plane
-        double *there = harmonic_at(in, 0, -k[1], -k[2]);
+        double *there = bl_tile_power_at(in->tile, in->buffer, (const int[3]){0, -k[1], -k[2]});
         there[0] = here[0];
         there[1] = -here[1];
     }
@@ -181,12 +181,6 @@ static double *make_transforms(const bl_tile *tile, const double *transform[BL_T
                   : 1;
     }
     return all;
-}
-
-// Rows of width + 2 numbers become rows of width.
-static void close_rows(double *numbers, size_t rows, size_t width) {
-    for (size_t row = 1; row < rows; row++)
-        memmove(numbers + row * width, numbers + row * (width + 2), width * sizeof *numbers);
 }
 
 static bl_status synthesise(const bl_synthesis *settings, bl_tile *tile, bl_message *message) {
@@ -210,13 +204,41 @@ static bl_status synthesise(const bl_synthesis *settings, bl_tile *tile, bl_mess
         memset(in.buffer, 0, bl_fft_bytes(&shape));
         for_each_pair(tile, draw_pair, &in);
         bl_fft_run(plan, in.buffer);
-        close_rows(in.buffer, (size_t)tile->size[1] * tile->size[2], tile->size[0]);
+        bl_tile_close_rows(in.buffer, (size_t)tile->size[1] * tile->size[2], tile->size[0]);
         status = bl_tile_make(tile, in.buffer, 1, message);
     } else {
         status = bl_report(message, BL_DEVICE, "out of memory for a tile of %zu numbers",
                            bl_tile_count(tile->size));
     }
     free(in.buffer);
+    free(transforms);
+    return status;
+}
+
+// Half of the power of a pair belongs to each of k and -k.
+static void add_share(void *context, const int k[3]) {
+    synthesis *in = context;
+    double share = power_in_tile(in, k) / 2;
+    *bl_tile_power_at(in->tile, in->buffer, k) = share;
+    if (k[0] == 0)
+        *bl_tile_power_at(in->tile, in->buffer, (const int[3]){0, -k[1], -k[2]}) = share;
+}
+
+static bl_status find_covariance(const bl_synthesis *settings, bl_tile *tile, bl_message *message) {
+    synthesis in = {.settings = settings,
+                    .tile = tile,
+                    .factor = unit_factor(settings, tile),
+                    .buffer = bl_tile_powers(tile)};
+    double *transforms = make_transforms(tile, in.transform);
+    bl_status status = BL_DEVICE;
+    if (in.buffer && transforms) {
+        for_each_pair(tile, add_share, &in);
+        status = bl_tile_set_powers(tile, in.buffer, message);
+    } else {
+        bl_report(message, BL_DEVICE, "out of memory for a tile of %zu numbers",
+                  bl_tile_count(tile->size));
+        free(in.buffer);
+    }
     free(transforms);
     return status;
 }
@@ -229,10 +251,7 @@ bl_status bl_synthesis_build(bl_synthesis *settings, bl_tile *tile, bl_message *
         status = bl_spectrum_table_read(settings->csv, &settings->table, message);
     if (status != BL_OK)
         return status;
-    *tile = (bl_tile){.dimensions = settings->tile.dimensions};
-    bl_tile_sizes(&settings->tile, bl_synthesis_sizes, tile->size);
-    for (int a = 0; a < BL_TILE_AXES; a++)
-        tile->kernel[a] = settings->tile.interp;
+    bl_tile_begin(tile, &settings->tile, bl_synthesis_sizes, 0);
     status = find_rate(settings, message);
     tile->rate = settings->rate;
     if (status == BL_OK && !(raw_total(settings, tile) > 0))
@@ -240,10 +259,14 @@ bl_status bl_synthesis_build(bl_synthesis *settings, bl_tile *tile, bl_message *
                            "no harmonic of the tile, multiples of %g cycles a unit, has power; use "
                            "a larger size",
                            tile->rate / tile->size[0]);
+    if (status == BL_OK && bl_tile_wants_covariance(tile))
+        status = find_covariance(settings, tile, message);
     if (status == BL_OK)
         status = synthesise(settings, tile, message);
-    if (status != BL_OK)
+    if (status != BL_OK) {
+        bl_tile_release(tile);
         bl_spectrum_table_drop(settings->table);
+    }
     return status;
 }
 

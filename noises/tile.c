@@ -3,9 +3,11 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "noises/kernel.h"
 #include "noises/lattice.h"
+#include "noises/tile_covariance.h"
 #include "noises/tile_points.h"
 
 const char *const bl_tile_interps[] = {"bspline", "catmull-rom", "linear", "nearest", NULL};
@@ -50,6 +52,21 @@ bl_status bl_tile_check(const bl_tile_settings *settings, const uint32_t usual[B
     return BL_OK;
 }
 
+void bl_tile_begin(bl_tile *tile, const bl_tile_settings *settings,
+                   const uint32_t usual[BL_TILE_AXES], double rate) {
+    bl_tile_covariance_keep(tile->covariance);
+    *tile =
+        (bl_tile){.dimensions = settings->dimensions, .rate = rate, .covariance = tile->covariance};
+    bl_tile_sizes(settings, usual, tile->size);
+    for (int a = 0; a < BL_TILE_AXES; a++)
+        tile->kernel[a] = settings->interp;
+}
+
+void bl_tile_close_rows(double *numbers, size_t rows, size_t width) {
+    for (size_t row = 1; row < rows; row++)
+        memmove(numbers + row * width, numbers + row * (width + 2), width * sizeof *numbers);
+}
+
 bl_status bl_tile_make(bl_tile *tile, const double *numbers, double scale, bl_message *message) {
     size_t count = bl_tile_count(tile->size);
     tile->number = malloc(count * sizeof *tile->number);
@@ -63,6 +80,8 @@ bl_status bl_tile_make(bl_tile *tile, const double *numbers, double scale, bl_me
 void bl_tile_release(bl_tile *tile) {
     free(tile->number);
     tile->number = NULL;
+    bl_tile_covariance_drop(tile->covariance);
+    tile->covariance = NULL;
 }
 
 // --- reading, in double -------------------------------------------------------------------------
@@ -145,6 +164,8 @@ static int continuity_of(uint32_t kernel) {
 
 void bl_tile_describe(const bl_tile *tile, bl_facts *facts) {
     facts->mean = 0;
+    if (tile->covariance)
+        facts->covariance_reach = INFINITY;
     facts->continuity = 2;
     facts->cell = 1 / tile->rate;
     facts->far = 0x1p52 * facts->cell; // from here on doubles are whole multiples of a cell
@@ -179,18 +200,21 @@ double bl_tile_transform(bl_tile_kernel kernel, double v) {
     }
 }
 
-double bl_tile_power(bl_tile_kernel kernel, double v) {
+double bl_tile_correlation(bl_tile_kernel kernel, double lag) {
     static const bl_kernel kernels[BL_TILE_KERNELS] = {BL_KERNEL_BSPLINE3, BL_KERNEL_CATMULL_ROM,
                                                        BL_KERNEL_LINEAR,   BL_KERNEL_LINEAR,
                                                        BL_KERNEL_BSPLINE2, BL_KERNEL_BSPLINE2};
-    if (kernel == BL_TILE_NEAREST) // the box's correlation is the hat
-        return 1;
+    if (kernel == BL_TILE_NEAREST) // that of the box is the hat
+        return fmax(0, 1 - fabs(lag));
     // int b(x/2) b((x+l)/2) dx = 2 rho(l/2).
     double stretch = kernel == BL_TILE_BSPLINE2_WIDE ? 2 : 1;
-    double sum = stretch * bl_kernel_correlation(kernels[kernel], 0);
+    return stretch * bl_kernel_correlation(kernels[kernel], lag / stretch);
+}
+
+double bl_tile_power(bl_tile_kernel kernel, double v) {
+    double sum = bl_tile_correlation(kernel, 0);
     for (int lag = 1; lag < 6; lag++)
-        sum += 2 * stretch * bl_kernel_correlation(kernels[kernel], lag / stretch) *
-               cos(2 * M_PI * v * lag);
+        sum += 2 * bl_tile_correlation(kernel, lag) * cos(2 * M_PI * v * lag);
     return sum;
 }
 

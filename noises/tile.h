@@ -48,30 +48,33 @@ typedef struct bl_tile_settings {
     uint32_t interp;
 } bl_tile_settings;
 
+typedef struct bl_tile_covariance bl_tile_covariance; // noises/tile_covariance.h
+
 typedef struct bl_tile {
     float *number; // x runs fastest; owned
     uint32_t dimensions;
     uint32_t size[BL_TILE_AXES]; // 1 beyond the dimensions
     uint32_t kernel[BL_TILE_AXES];
-    double rate; // numbers a unit
+    double rate;                    // numbers a unit
+    bl_tile_covariance *covariance; // shared with the copies of a block; NULL if it has none
 } bl_tile;
 
 extern const char *const bl_tile_interps[]; // "bspline", "catmull-rom", "linear", "nearest"
 extern const char *const bl_tile_size_examples[];
 
 // The keys of a tile, for parameter lists; `usual` are the defaults of the interpolation and of the
-// numbers a unit.
+// numbers a unit, and the sizes for 0 in words.
 #define BL_TILE_DIMENSIONS_PARAMETER(block, field, least, most, usual)                             \
     {                                                                                              \
         .key = "dims", .kind = BL_INTEGER, .offset = offsetof(block, field), .minimum = least,     \
         .maximum = most, .fallback = usual, .unit = "",                                            \
         .help = "dimensions; coordinates beyond them are ignored"                                  \
     }
-#define BL_TILE_SIZE_PARAMETER(block, field)                                                       \
+#define BL_TILE_SIZE_PARAMETER(block, field, usual)                                                \
     {                                                                                              \
         .key = "size", .kind = BL_LIST, .offset = offsetof(block, field), .minimum = 0,            \
         .maximum = 1 << 24, .fallback = "0", .unit = "numbers",                                    \
-        .help = "of the tile, a power of two, one or one an axis; 0: by the dimensions",           \
+        .help = "of the tile, a power of two, one or one an axis; 0: " usual,                      \
         .examples = bl_tile_size_examples                                                          \
     }
 #define BL_TILE_INTERP_PARAMETER(block, field, usual)                                              \
@@ -102,6 +105,13 @@ bl_status bl_tile_make(bl_tile *tile, const double *numbers, double scale, bl_me
 void bl_tile_release(bl_tile *tile);
 size_t bl_tile_count(const uint32_t size[BL_TILE_AXES]);
 
+// Begins a tile of these settings, to be made: what a copy of a block brings along stays.
+void bl_tile_begin(bl_tile *tile, const bl_tile_settings *settings,
+                   const uint32_t usual[BL_TILE_AXES], double rate);
+
+// Rows of width + 2 numbers, as a transform back leaves them, become rows of width.
+void bl_tile_close_rows(double *numbers, size_t rows, size_t width);
+
 // The reference, and its gradient where that is not NULL: NaN for NaN, infinity, and beyond 2^62 in
 // one of the tile's axes.
 double bl_tile_value(const bl_tile *tile, const double at[BL_AXES], double gradient[BL_AXES]);
@@ -109,9 +119,11 @@ double bl_tile_value(const bl_tile *tile, const double at[BL_AXES], double gradi
 // The facts of reading: class, periods, cell, far, mean 0.
 void bl_tile_describe(const bl_tile *tile, bl_facts *facts);
 
-// The kernel: its transform at v cycles a number; the power of a harmonic and all its images (see
-// above); the largest sum of the sizes of its weights.
+// The kernel: its transform at v cycles a number; its correlation with itself, int k(x) k(x + lag)
+// dx; the power of a harmonic and all its images (see above); the largest sum of the sizes of its
+// weights.
 double bl_tile_transform(bl_tile_kernel kernel, double v);
+double bl_tile_correlation(bl_tile_kernel kernel, double lag);
 double bl_tile_power(bl_tile_kernel kernel, double v);
 double bl_tile_gain(bl_tile_kernel kernel);
 

@@ -239,7 +239,8 @@ static inline void bl_tile_noise_release(void *block) {
 
 #define BL_TILE_FUNCTIONS                                                                          \
     .row = bl_tile_noise_row, .points = bl_tile_noise_points, .value = bl_tile_noise_value,        \
-    .gradient = bl_tile_noise_gradient, .release = bl_tile_noise_release
+    .gradient = bl_tile_noise_gradient, .covariance = bl_tile_noise_covariance,                    \
+    .release = bl_tile_noise_release
 
 #endif
 

@@ -32,7 +32,8 @@
 // images beyond 1. Along an axis, 0 to 1 with the stated leak, exact, -16.5 dB by default. In the
 // space of frequencies what is left is a cube without its inner cube, not a shell.
 // Known defects: not isotropic; cyclostationary, with the coarse lattice, one unit, as its cell.
-// No closed form of the kind that the analyses use, since it is periodic; tests hold the power of
+// The covariance over places and seeds is exact and repeats with the tile
+// (noises/tile_covariance.h): the spectrum is one of lines. Tests hold the power of
 // each harmonic to the formula of noises/wavelet_tile.h.
 // NaN, infinity, and coordinates beyond 2^62 give NaN; 2^52 is where doubles lose the fraction.
 //
@@ -45,6 +46,7 @@
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
 #include "noises/textbook.h"
+#include "noises/tile_covariance.h"
 #include "noises/tile_points.h"
 #include "noises/wavelet_tile.h"
 
@@ -81,7 +83,7 @@ static const char *const normals[] = {"x", "y", "z", NULL};
 static const bl_parameter parameters[] = {
     BL_SEED_PARAMETER(wavelet_parameters, of.tile.seed, "the random numbers"),
     BL_TILE_DIMENSIONS_PARAMETER(wavelet_parameters, of.tile.dimensions, 2, 3, "3"),
-    BL_TILE_SIZE_PARAMETER(wavelet_parameters, of.tile.size),
+    BL_TILE_SIZE_PARAMETER(wavelet_parameters, of.tile.size, "64, 32 in 2, 3 dimensions"),
     {.key = "slice",
      .kind = BL_CHOICE,
      .offset = offsetof(wavelet_parameters, of.projected),
@@ -137,5 +139,6 @@ BL_NOISE_DESCRIPTOR(wavelet_noise) = {
     .describe = describe,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_TILE_SETTINGS,
+    .has_closed_form = bl_tile_noise_has_covariance,
     .functions = {BL_TILE_FUNCTIONS, .build = build},
 };

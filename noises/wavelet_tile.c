@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "noises/tile_covariance.h"
+
 const uint32_t bl_wavelet_sizes[BL_TILE_AXES] = {0, 64, 32};
 
 // --- filters ------------------------------------------------------------------------------------
@@ -156,22 +158,65 @@ double bl_wavelet_variance(const bl_tile *tile) {
 
 // --- the tile -----------------------------------------------------------------------------------
 
+// The factors of S at the harmonics of an axis, k = 0 to size - 1.
+static double *projections(const bl_tile *tile, int axis) {
+    uint32_t size = tile->size[axis];
+    double *at = malloc(2 * size * sizeof *at);
+    for (uint32_t k = 0; at && k < size; k++)
+        projection((double)k / size, &at[2 * k], &at[2 * k + 1]);
+    return at;
+}
+
+// S at all harmonics, of numbers that make the variance 1: mean squares that add up over them.
+static bl_status find_covariance(bl_tile *tile, bl_message *message) {
+    const uint32_t *size = tile->size;
+    double *powers = bl_tile_powers(tile), *axis[BL_TILE_AXES] = {NULL};
+    double scale = 1 / (bl_wavelet_variance(tile) * (double)bl_tile_count(size));
+    int known = powers != NULL;
+    for (uint32_t a = 0; a < tile->dimensions; a++)
+        known &= (axis[a] = projections(tile, (int)a)) != NULL;
+    for (uint32_t z = 0; known && z < size[2]; z++)
+        for (uint32_t y = 0; y < size[1]; y++)
+            for (uint32_t x = 0; x <= size[0] / 2; x++) {
+                const uint32_t k[BL_TILE_AXES] = {x, y, z};
+                double kept = 1, power = 1;
+                for (uint32_t a = 0; a < tile->dimensions; a++) {
+                    kept *= axis[a][2 * k[a]];
+                    power *= axis[a][2 * k[a] + 1];
+                }
+                *bl_tile_power_at(tile, powers, (const int[]){(int)x, (int)y, (int)z}) =
+                    scale * (1 - 2 * kept + power);
+            }
+    for (int a = 0; a < BL_TILE_AXES; a++)
+        free(axis[a]);
+    if (known)
+        return bl_tile_set_powers(tile, powers, message);
+    free(powers);
+    return bl_report(message, BL_DEVICE, "out of memory for a tile of %zu numbers",
+                     bl_tile_count(size));
+}
+
 bl_status bl_wavelet_build(const bl_wavelet *settings, bl_tile *tile, bl_message *message) {
-    *tile = (bl_tile){.dimensions = settings->tile.dimensions, .rate = 2};
-    bl_tile_sizes(&settings->tile, bl_wavelet_sizes, tile->size);
+    bl_tile_begin(tile, &settings->tile, bl_wavelet_sizes, 2);
     for (uint32_t a = 0; a < BL_TILE_AXES; a++)
         tile->kernel[a] =
             settings->projected && a == settings->normal ? BL_TILE_BSPLINE2_WIDE : BL_TILE_BSPLINE2;
     size_t count = bl_tile_count(tile->size);
     double *numbers = malloc(count * sizeof *numbers);
-    if (!numbers)
+    if (!numbers) {
+        bl_tile_release(tile);
         return bl_report(message, BL_DEVICE, "out of memory for a tile of %zu numbers", count);
+    }
     bl_random random = bl_random_seed(settings->tile.seed, 23);
     bl_tile_numbers(&random, numbers, count);
     bl_status status = bl_wavelet_remove_coarse(numbers, tile->size, message);
+    if (status == BL_OK && bl_tile_wants_covariance(tile))
+        status = find_covariance(tile, message);
     if (status == BL_OK)
         status = bl_tile_make(tile, numbers, 1 / sqrt(bl_wavelet_variance(tile)), message);
     free(numbers);
+    if (status != BL_OK)
+        bl_tile_release(tile);
     return status;
 }
 

@@ -7,9 +7,11 @@
 //   n(p) = v(floor(x/h), floor(y/h), floor(z/h), floor(w/h))       cell=h
 //
 // Parameters
-//   seed   64 bits
-//   dims   1 to 4, default 3: coordinates beyond them are ignored
-//   cell   h, in units: 0 (default), or from 2^-40 to 256: the noise is constant in cells of side h
+//   seed       64 bits
+//   component  0 to 3: independent noises of one seed
+//   dims       1 to 4, default 3: coordinates beyond them are ignored
+//   cell       h, in units: 0 (default), or from 2^-40 to 256: the noise is constant in cells of
+//   side h
 //
 // v is an odd multiple of 2^-20, from the top bits of a chain of 64-bit hashes (core/hash.h), one
 // link an axis: h' = mix(h ^ bits). For each link both the coordinate and what came before enter by
@@ -46,13 +48,13 @@
 
 typedef struct white_parameters {
     uint64_t seed;
-    uint32_t dimensions;
+    uint32_t dimensions, component;
     double cell;
 } white_parameters;
 
 // A stream of the seed that nothing else uses.
 static uint64_t first_link(const white_parameters *p) {
-    return bl_stream(p->seed, 0x776869u);
+    return bl_stream(bl_component_seed(p->seed, p->component), 0x776869u);
 }
 
 // The number that stands for a coordinate. The sum makes -0 a 0.
@@ -194,6 +196,7 @@ static float textbook(float x, float y, float z) {
 static const bl_parameter parameters[] = {
     BL_SEED_PARAMETER(white_parameters, seed, "the numbers"),
     BL_DIMENSIONS_PARAMETER(white_parameters, 1, 4, "3"),
+    BL_COMPONENT_PARAMETER(white_parameters, component),
     {.key = "cell",
      .kind = BL_REAL,
      .offset = offsetof(white_parameters, cell),

@@ -99,7 +99,7 @@ static double line_integrand(const void *context, double t) {
 }
 
 double bl_theory_line(const bl_signal *signal, const double direction[BL_AXES], double f) {
-    if (!bl_signal_has_closed_form(signal) || !isfinite(f) || !reaches(signal, direction))
+    if (!bl_signal_has_density(signal) || !isfinite(f) || !reaches(signal, direction))
         return NAN;
     plane_integral line = {.signal = signal, .u = direction, .fu = f};
     bl_breaks breaks = {0};
@@ -136,8 +136,8 @@ static double outer_integrand(const void *context, double s) {
 
 double bl_theory_slice(const bl_signal *signal, const double u[BL_AXES], const double v[BL_AXES],
                        double fu, double fv) {
-    if (!bl_signal_has_closed_form(signal) || !isfinite(fu) || !isfinite(fv) ||
-        !reaches(signal, u) || !reaches(signal, v))
+    if (!bl_signal_has_density(signal) || !isfinite(fu) || !isfinite(fv) || !reaches(signal, u) ||
+        !reaches(signal, v))
         return NAN;
     plane_integral plane = {.signal = signal, .u = u, .v = v, .fu = fu, .fv = fv};
     double reach = signal->facts.covariance_reach, far = 0;
@@ -167,7 +167,7 @@ static double volume_of_four(const bl_signal *signal, const double f[BL_AXES]) {
 }
 
 double bl_theory_volume(const bl_signal *signal, const double f[BL_AXES]) {
-    if (!bl_signal_has_closed_form(signal) || !signal->functions->density)
+    if (!bl_signal_has_density(signal) || !signal->functions->density)
         return NAN;
     if (signal->dimensions == 4)
         return volume_of_four(signal, f);

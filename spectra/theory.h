@@ -20,6 +20,9 @@ bl_status bl_theory_periodogram(const bl_signal *signal, unsigned dims,
                                 const double directions[3][BL_AXES], double rate, size_t size,
                                 bl_window window, double *out, bl_message *message);
 
+// A signal whose covariance has no end (bl_signal_has_density) has a spectrum of lines: of it there
+// is the periodogram above, and below NaN.
+//
 // Directions lie in the dimensions of the signal: those that leave them give NaN, or BL_MISMATCH.
 
 // The bare closed form, two-sided: along a line in a unit direction at frequency f; in the slice

@@ -190,7 +190,7 @@ enum { HIGHEST = 4096 };
 
 double bl_theory_band(const bl_signal *signal, unsigned dims, const double directions[3][BL_AXES],
                       double from, double to) {
-    if (!bl_signal_has_closed_form(signal) || isnan(from) || isnan(to) ||
+    if (!bl_signal_has_density(signal) || isnan(from) || isnan(to) ||
         !bl_theory_reaches(signal, dims, directions))
         return NAN;
     double variance = signal->functions->covariance(signal->parameters, (const double[BL_AXES]){0});

@@ -492,8 +492,8 @@ static void test_closed_forms_are_products(void **state) {
 static void test_components_are_other_seeds_and_uncorrelated(void **state) {
     (void)state;
     enum { K = 4000, COMPONENTS = 4 };
-    static const char *const names[] = {"vnoise", "gnoise:dims=4", "vnoise:dims=2", "hermite",
-                                        "scnoise"};
+    static const char *const names[] = {"vnoise",  "gnoise:dims=4",  "vnoise:dims=2",  "hermite",
+                                        "scnoise", "simplex:dims=2", "simplex:dims=4", "white"};
     bl_random random = bl_random_seed(9, 0);
     for (size_t n = 0; n < sizeof names / sizeof *names; n++) {
         double sum[COMPONENTS][COMPONENTS] = {{0}}, square[COMPONENTS][COMPONENTS] = {{0}};

@@ -93,6 +93,41 @@ static void test_a_default_written_otherwise_is_left_out_of_the_canonical_text(v
     }
 }
 
+// "inf" where the maximum is infinite, and nowhere else.
+static void test_infinity_is_a_number_where_no_maximum_forbids_it(void **state) {
+    (void)state;
+    static const bl_parameter open_ended[] = {{.key = "spacing",
+                                               .kind = BL_REAL,
+                                               .offset = offsetof(block, spacing),
+                                               .minimum = 0,
+                                               .maximum = INFINITY,
+                                               .fallback = "0"},
+                                              {.key = NULL}};
+    static const char *const right[] = {"n:spacing=inf", "n:spacing=infinity"};
+    static const char *const wrong[] = {"n:spacing=-inf", "n:spacing=nan",   "n:spacing=1e999",
+                                        "n:spacing=info", "n:spacing=inf/2", "n:spacing=-1"};
+    bl_message message;
+    bl_spec spec;
+    block b;
+    for (int i = 0; i < 2; i++) {
+        assert_int_equal(bl_spec_parse(right[i], &spec, &message), BL_OK);
+        assert_int_equal(bl_parameters_read(open_ended, &spec, right[i], &b, &message), BL_OK);
+        assert_true(isinf(b.spacing) && b.spacing > 0);
+        char *text = bl_parameters_text("n", open_ended, &b);
+        assert_string_equal(text, "n:spacing=inf");
+        free(text);
+        assert_int_equal(bl_parameters_read(parameters, &spec, right[i], &b, &message), BL_USAGE);
+        bl_spec_free(&spec);
+    }
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        assert_int_equal(bl_spec_parse(wrong[i], &spec, &message), BL_OK);
+        if (bl_parameters_read(open_ended, &spec, wrong[i], &b, &message) != BL_USAGE ||
+            !strstr(message.text, "from 0 to inf"))
+            fail_msg("%s: '%s'", wrong[i], message.text);
+        bl_spec_free(&spec);
+    }
+}
+
 static void test_errors_name_the_word_the_column_and_the_nearest_word(void **state) {
     (void)state;
     static const struct {
@@ -311,6 +346,7 @@ int main(void) {
         cmocka_unit_test(test_a_text_fills_the_block_and_defaults_the_rest),
         cmocka_unit_test(test_the_canonical_text_reads_back_as_the_same_block),
         cmocka_unit_test(test_a_default_written_otherwise_is_left_out_of_the_canonical_text),
+        cmocka_unit_test(test_infinity_is_a_number_where_no_maximum_forbids_it),
         cmocka_unit_test(test_errors_name_the_word_the_column_and_the_nearest_word),
         cmocka_unit_test(test_the_nearest_word_is_near_or_none),
         cmocka_unit_test(test_a_word_is_near_up_to_half_of_its_letters),

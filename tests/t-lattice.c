@@ -6,9 +6,13 @@
 #include "tests/test.h"
 
 #include "core/hash.h"
+#include "core/quadrature.h"
 #include "core/random.h"
 #include "core/statistics.h"
+#include "noises/kernel.h"
 #include "noises/lattice.h"
+#include "noises/lattice_repeats.h"
+#include "tests/texts.h"
 
 // The bits of a word that are used bare, and those of a mixed word.
 #define WORD_BITS 0xfffff000u
@@ -321,6 +325,72 @@ static void test_splitting_knows_the_domain(void **state) {
     assert_false(bl_lattice_split(NAN, &cell, &fraction));
 }
 
+// --- numbers that meet again --------------------------------------------------------------------
+
+// Counted cell by cell over all 256^3.
+static void test_repeats_are_counted_right(void **state) {
+    (void)state;
+    static const int lags[][3] = {{0, 0, 0},  {1, 0, 0},  {0, 1, 0},
+                                  {2, -1, 0}, {-3, 2, 1}, {0, 0, 3}};
+    for (size_t n = 0; n < sizeof lags / sizeof *lags; n++) {
+        const int *l = lags[n];
+        double same = 0, in_plane = 0;
+        for (unsigned z = 0; z < 256; z++)
+            for (unsigned y = 0; y < 256; y++)
+                for (unsigned x = 0; x < 256; x++) {
+                    uint32_t there = bl_perm256_index(x + (unsigned)l[0], y + (unsigned)l[1],
+                                                      z + (unsigned)l[2]);
+                    int meet = bl_perm256_index(x, y, z) == there;
+                    same += meet;
+                    in_plane += meet && z == 0;
+                }
+        assert_near(bl_perm256_repeats(3, l), same / (256.0 * 256 * 256), 0);
+        if (l[2] == 0)
+            assert_near(bl_perm256_repeats(2, l), in_plane / (256.0 * 256), 0);
+    }
+    assert_near(bl_perm256_repeats(1, (const int[]){0, 0, 0}), 1, 0);
+    assert_near(bl_perm256_repeats(1, (const int[]){2, 0, 0}), 0, 0);
+}
+
+// Of value noise in a plane: at a place the variance is 1/3 of the sum over the 256 numbers of the
+// square of all the weight that each has there. That is averaged over the cells one by one, and
+// within a cell by quadrature of products of weights.
+static void test_the_variance_of_a_permutation_is_the_mean_over_its_cells(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        bl_kernel kernel;
+    } cases[] = {{"vnoise:dims=2,lattice=perm256", BL_KERNEL_CATMULL_ROM},
+                 {"vnoise:dims=2,lattice=perm256,interp=linear", BL_KERNEL_LINEAR},
+                 {"vnoise:dims=2,lattice=perm256,interp=bspline3", BL_KERNEL_BSPLINE3}};
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; n++) {
+        double product[4][4] = {{0}}, sum = 0; // the planes -1, 0, 1, 2 of a cell
+        for (int i = 0; i < 4; i++)
+            for (int j = 0; j < 4; j++)
+                for (int k = 0; k < BL_QUADRATURE_NODES; k++) {
+                    double t = (1 + bl_quadrature_node[k]) / 2;
+                    product[i][j] += bl_quadrature_weight[k] / 2 *
+                                     bl_kernel_value(cases[n].kernel, t - (i - 1)) *
+                                     bl_kernel_value(cases[n].kernel, t - (j - 1));
+                }
+        for (unsigned y = 0; y < 256; y++)
+            for (unsigned x = 0; x < 256; x++) {
+                uint32_t index[16];
+                double cell = 0; // rounding does not add up over all cells
+                for (unsigned i = 0; i < 16; i++)
+                    index[i] = bl_perm256_index(x + i % 4, y + i / 4, 0);
+                for (unsigned i = 0; i < 16; i++)
+                    for (unsigned j = 0; j < 16; j++)
+                        if (index[i] == index[j])
+                            cell += product[i % 4][j % 4] * product[i / 4][j / 4];
+                sum += cell / 65536;
+            }
+        bl_signal *signal = bl_test_open(cases[n].text, BL_ISA_BEST);
+        assert_near(signal->facts.variance, sum * (1 - 0x1p-40) / 3, 1e-12);
+        bl_signal_free(signal);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_used_bit_is_balanced),
@@ -335,6 +405,8 @@ int main(void) {
         cmocka_unit_test(test_longitudes_are_symmetric),
         cmocka_unit_test(test_perm256_is_a_permutation_of_period_256),
         cmocka_unit_test(test_splitting_knows_the_domain),
+        cmocka_unit_test(test_repeats_are_counted_right),
+        cmocka_unit_test(test_the_variance_of_a_permutation_is_the_mean_over_its_cells),
     };
     return bl_run_tests(tests);
 }

@@ -128,6 +128,8 @@ static void test_a_clamped_sum_is_the_sum_of_fewer_octaves(void **state) {
     assert_same_bits("ridged:width=1e-30", "ridged");
     assert_same_bits("ridged:width=1e30,clamp=none", "ridged");
     assert_same_bits("gardner:width=1e-30", "gardner");
+    assert_same_bits("gardner:width=inf,clamp=none", "gardner");
+    assert_same_bits("ridged:width=inf,clamp=none", "ridged");
 }
 
 static void test_a_width_of_its_own_is_that_of_the_sum(void **state) {
@@ -172,6 +174,9 @@ static void test_a_huge_width_leaves_the_mean(void **state) {
         double least, most; // of E|gnoise| times 15/8, and so on: roughly
     } cases[] = {{"fractalsum:width=1e30", 0, 0},
                  {"fbm:width=1e30", 0, 0},
+                 {"fbm:width=inf", 0, 0},
+                 {"turbulence:width=inf,clamp=hard", 0.25, 0.31},
+                 {"ridged:width=infinity", 1, 1.5},
                  {"fractalsum:width=1", 0, 0},
                  {"turbulence:width=1e30", 0.25, 0.31},
                  {"turbulence:width=1e30,lost=zero", 0, 0},
@@ -197,6 +202,13 @@ static void test_a_huge_width_leaves_the_mean(void **state) {
     assert_near(bl_octaves_value_for_width(turbulence, at, INFINITY), bl_signal_value(gone, at), 0);
     bl_signal_free(turbulence);
     bl_signal_free(gone);
+    // A quarter of the squares of 0.3 0.707^i.
+    bl_signal *gardner = open_signal("gardner:width=inf");
+    double ratio = 0.707 * 0.707, mean = 0.09 / 4 * (1 - pow(ratio, 5)) / (1 - ratio);
+    assert_near(bl_signal_value(gardner, at), mean, 0x1p-26);
+    assert_near(gardner->facts.mean, mean, 0x1p-26);
+    assert_string_equal(gardner->text, "gardner:width=inf");
+    bl_signal_free(gardner);
 }
 
 // The mean over seeds and places, of the sum with and without a width, at the same places.
@@ -439,7 +451,9 @@ static void test_closed_forms_are_stated_only_where_they_hold(void **state) {
                  {"fractalsum:basis=fractalsum", 0, 0}, // their octaves meet
                  {"fractalsum:basis=gnoise,basis.lattice=perm256", 0, 0},
                  {"fbm:basis=fractalsum", 1, 1},
-                 {"fbm:rotate=random", 0, 1}, // the mean over rotations is not stated
+                 {"fbm:rotate=random", 0, 1}, // the mean over rotations is not stated ...
+                 {"fbm:rotate=random,basis=simplex", 1, 1}, // ... but where it changes nothing
+                 {"fbm:rotate=random,basis=simplex,basis.lattice=perm256", 0, 0},
                  {"fbm:lacunarity=1", 1, 1},
                  {"fbm:lacunarity=1,seeds=same", 0, 0},
                  {"fbm:lacunarity=1.5,seeds=same", 1, 1},

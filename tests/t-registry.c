@@ -19,8 +19,8 @@ static void test_every_descriptor_is_complete(void **state) {
         assert_non_null(noise->paper);
         assert_true(noise->dimensions >= 1 && noise->dimensions <= 4);
         assert_true(noise->functions.row && noise->functions.points && noise->functions.value);
-        // A closed form is optional, but its two sides come together.
-        assert_true(!noise->functions.covariance == !noise->functions.density);
+        // A closed form is optional, and so is its other side, where the covariance has no end.
+        assert_true(noise->functions.covariance || !noise->functions.density);
         assert_ptr_equal(bl_noise_find(noise->name, BL_ISA_BASELINE), noise);
         for (size_t j = 0; j < i; j++)
             assert_string_not_equal(noise->name, bl_noise_at(j, BL_ISA_BASELINE)->name);
@@ -43,8 +43,11 @@ static void test_every_setting_states_its_facts(void **state) {
               facts->period[0] >= 0 && facts->far > 0x1p31))
             fail_msg("%s: incomplete facts", list->text[i]);
         if (signal->closed_form &&
-            !(facts->variance >= 0 && facts->covariance_reach > 0 && facts->band_to > 0))
+            !(facts->variance >= 0 && facts->covariance_reach > 0 &&
+              (facts->band_to > 0 || isinf(facts->covariance_reach))))
             fail_msg("%s: a closed form without variance, reach or band", list->text[i]);
+        if (bl_signal_has_density(signal) && !signal->functions->density)
+            fail_msg("%s: its covariance ends, and it states no density", list->text[i]);
         bl_signal_free(signal);
     }
 }

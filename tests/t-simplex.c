@@ -53,10 +53,40 @@ static void gradient_of(unsigned dims, uint32_t word, double g[BL_AXES]) {
             g[a] = word >> (29 - place++) & 1 ? -1 : 1;
 }
 
+// The word of a cell. With periods (three dimensions): after as many steps of one period along each
+// axis as lead into the box from 0 on, found by walking.
+static uint32_t word_of(const bl_lattice *lattice, unsigned dims, const uint32_t period[BL_AXES],
+                        const int64_t from[BL_AXES]) {
+    int64_t cell[BL_AXES] = {from[0], from[1], from[2], from[3]};
+    for (unsigned a = 0; dims == 3 && a < 3; a++) {
+        int64_t step = period[a] / 3, sum = cell[0] + cell[1] + cell[2];
+        int64_t place = 6 * cell[a] - sum, whole = 6 * (int64_t)period[a];
+        for (; whole && (place < 0 || place >= whole); place += place < 0 ? whole : -whole)
+            for (unsigned b = 0; b < 3; b++)
+                cell[b] += (place < 0 ? step : -step) * (b == a ? 4 : 1);
+    }
+    uint32_t add = 0, exclusive = 0, index = 0;
+    for (unsigned a = dims; a-- > 0;)
+        index = bl_permutation[(uint64_t)(cell[a] + index) & 255];
+    if (dims == 2) // as in the plane z = 0 of three
+        index = bl_permutation[(uint64_t)(cell[1] + bl_permutation[0]) & 255],
+        index = bl_permutation[(uint64_t)(cell[0] + index) & 255];
+    if (lattice->kind == BL_LATTICE_PERM256)
+        return bl_perm256_word(lattice, index, 0);
+    for (unsigned a = 0; a < dims; a++) {
+        bl_lattice_key key = bl_lattice_key_of(lattice, a, (uint64_t)cell[a]);
+        add += key.add;
+        exclusive ^= key.exclusive;
+    }
+    return add * exclusive;
+}
+
 // The sum over all points of the lattice with skewed numbers within 3 of the skewed place, in
 // numbers of 64 bits: at 2^30 the skew is then good to 2^-32.
-static double lattice_sum(uint64_t seed, unsigned dims, const double at[BL_AXES]) {
-    bl_lattice lattice = bl_lattice_of(seed, BL_LATTICE_HASH);
+static double lattice_sum(const bl_lattice_settings *settings, unsigned dims,
+                          const double at[BL_AXES]) {
+    bl_lattice lattice = bl_lattice_open(settings);
+    memset(lattice.period, 0, sizeof lattice.period); // cells are moved here
     long double total = 0, u[BL_AXES], sum = 0;
     long double skew = (sqrtl(dims + 1) - 1) / dims, unskew = (1 - 1 / sqrtl(dims + 1)) / dims;
     for (unsigned a = 0; a < dims; a++)
@@ -66,18 +96,15 @@ static double lattice_sum(uint64_t seed, unsigned dims, const double at[BL_AXES]
     unsigned many = dims == 4 ? 1296 : dims == 3 ? 216 : 36;
     for (unsigned n = 0; n < many; n++) {
         long double v[BL_AXES], all = 0;
-        uint32_t add = 0, exclusive = 0;
+        int64_t cell[BL_AXES] = {0};
         for (unsigned a = 0, rest = n; a < dims; a++, rest /= 6) {
-            long double cell = floorl(u[a]) + (long double)(rest % 6) - 2;
-            bl_lattice_key key = bl_lattice_key_of(&lattice, a, (uint64_t)(int64_t)cell);
-            add += key.add;
-            exclusive ^= key.exclusive;
-            v[a] = u[a] - cell;
+            cell[a] = (int64_t)(floorl(u[a]) + (long double)(rest % 6) - 2);
+            v[a] = u[a] - (long double)cell[a];
             all += v[a];
         }
         double g[BL_AXES];
         long double dot = 0, square = 0;
-        gradient_of(dims, add * exclusive, g);
+        gradient_of(dims, word_of(&lattice, dims, settings->period, cell), g);
         for (unsigned a = 0; a < dims; a++) {
             long double d = v[a] - unskew * all;
             dot += g[a] * d;
@@ -107,9 +134,104 @@ static void test_the_corners_are_all_that_reach_a_point(void **state) {
             }
             // The slope is below 10; the long double loses 2^-32 at the far places.
             double tolerance = trial % 3 == 2 ? 1e-8 : 1e-12;
-            assert_near(bl_signal_value(signal, at), lattice_sum(5, dims, at), tolerance);
+            assert_near(bl_signal_value(signal, at),
+                        lattice_sum(&(bl_lattice_settings){.seed = 5}, dims, at), tolerance);
         }
         bl_signal_free(signal);
+    }
+}
+
+// The same with the other lattice, with periods, and with a component.
+static void test_lattices_and_periods_are_those_of_the_points(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        unsigned dims;
+        bl_lattice_settings settings;
+    } cases[] = {
+        {"simplex:seed=5,lattice=perm256,dims=2", 2, {5, BL_LATTICE_PERM256, 0, {0}}},
+        {"simplex:seed=5,lattice=perm256", 3, {5, BL_LATTICE_PERM256, 0, {0}}},
+        {"simplex:seed=5,lattice=perm256,dims=4", 4, {5, BL_LATTICE_PERM256, 0, {0}}},
+        {"simplex:seed=5,component=2", 3, {5, BL_LATTICE_HASH, 2, {0}}},
+        {"simplex:seed=5,period=3", 3, {5, BL_LATTICE_HASH, 0, {3, 3, 3, 3}}},
+        {"simplex:seed=5,period=6,9,12", 3, {5, BL_LATTICE_HASH, 0, {6, 9, 12}}},
+        {"simplex:seed=5,period=0,9,0", 3, {5, BL_LATTICE_HASH, 0, {0, 9}}},
+        {"simplex:seed=5,period=12,lattice=perm256", 3, {5, BL_LATTICE_PERM256, 0, {12, 12, 12}}}};
+    bl_random random = bl_random_seed(21, 0);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_signal *signal = bl_test_open(cases[i].text, BL_ISA_BEST);
+        for (int trial = 0; trial < 300; trial++) {
+            double at[BL_AXES] = {0};
+            for (unsigned a = 0; a < cases[i].dims; a++)
+                at[a] = 400 * (2 * bl_random_unit(&random) - 1);
+            assert_near(bl_signal_value(signal, at),
+                        lattice_sum(&cases[i].settings, cases[i].dims, at), 1e-12);
+        }
+        bl_signal_free(signal);
+    }
+}
+
+// After the period it is the same but for the rounding of the place (2^-52 of a cell, slopes below
+// 10), after every smaller multiple of 3 it is not, and within it is the noise without one.
+static void test_it_repeats_after_multiples_of_3(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        double period[3];
+    } cases[] = {{"simplex:period=9,12,15", {9, 12, 15}},
+                 {"simplex:period=4294967295", {4294967295, 4294967295, 4294967295}},
+                 {"simplex:lattice=perm256", {768, 768, 768}},
+                 {"simplex:lattice=perm256,period=1536,384,9", {768, 384, 9}}};
+    bl_random random = bl_random_seed(22, 0);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_signal *signal = bl_test_open(cases[i].text, BL_ISA_BEST);
+        for (unsigned axis = 0; axis < 3; axis++) {
+            double period = cases[i].period[axis];
+            assert_near(signal->facts.period[axis], period, 0);
+            for (double shift = 3; shift <= period; shift += shift < 30 ? 3 : period - shift) {
+                int same = 0;
+                for (int trial = 0; trial < 100; trial++) {
+                    double at[BL_AXES], there[BL_AXES];
+                    for (unsigned a = 0; a < BL_AXES; a++)
+                        there[a] = at[a] = 3000 * (2 * bl_random_unit(&random) - 1);
+                    there[axis] = at[axis] + (trial % 3 - 1) * shift;
+                    at[axis] = there[axis] - (trial % 3 - 1) * shift; // after the rounding
+                    same +=
+                        fabs(bl_signal_value(signal, at) - bl_signal_value(signal, there)) < 1e-12;
+                }
+                if (shift == period ? same < 100 : same > 60) // a third is shifted by 0
+                    fail_msg("%s: %d of 100 places are the same %g along %c", cases[i].text, same,
+                             shift, "xyz"[axis]);
+                if (shift == period)
+                    break;
+            }
+        }
+        bl_signal_free(signal);
+    }
+    bl_signal *plain = bl_test_open("simplex", BL_ISA_BEST);
+    bl_signal *repeated = bl_test_open("simplex:period=42,39,300", BL_ISA_BEST);
+    for (int trial = 0; trial < 500; trial++) {
+        double at[BL_AXES];
+        for (int a = 0; a < BL_AXES; a++)
+            at[a] = 2 + 35 * bl_random_unit(&random);
+        assert_true(bl_signal_value(plain, at) == bl_signal_value(repeated, at));
+    }
+    bl_signal_free(plain);
+    bl_signal_free(repeated);
+}
+
+static void test_periods_that_the_simplices_lack_are_refused(void **state) {
+    (void)state;
+    static const char *const cases[][2] = {{"simplex:period=4", "6"},
+                                           {"simplex:period=3,3,1", "along z"},
+                                           {"simplex:dims=2,period=3", "take dims=3"},
+                                           {"simplex:dims=4,period=0,0,0,3", "take dims=3"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_signal *signal = NULL;
+        bl_message message = {""};
+        assert_int_equal(bl_noise_open(cases[i][0], BL_ISA_BEST, &signal, &message), BL_USAGE);
+        if (!strstr(message.text, "period=") || !strstr(message.text, cases[i][1]))
+            fail_msg("%s: %s", cases[i][0], message.text);
     }
 }
 
@@ -397,6 +519,9 @@ static void test_near_and_far_points_may_stand_in_one_batch(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_corners_are_all_that_reach_a_point),
+        cmocka_unit_test(test_lattices_and_periods_are_those_of_the_points),
+        cmocka_unit_test(test_it_repeats_after_multiples_of_3),
+        cmocka_unit_test(test_periods_that_the_simplices_lack_are_refused),
         cmocka_unit_test(test_the_gradients_have_the_moments_stated),
         cmocka_unit_test(test_the_normalisation_keeps_the_bound),
         cmocka_unit_test(test_the_noise_is_normalised_by_what_is_certified),
