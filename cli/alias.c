@@ -88,7 +88,7 @@ static bl_alias_settings settings_of(const bl_call *call) {
         settings.frames = 4;
         settings.rounds = 5;
         settings.turn_seconds = 5e-4;
-        settings.most_samples = 256;
+        settings.most_samples = 64;
     } else if (call->common.full) {
         settings.replicates = 16;
         settings.frames = 16;
