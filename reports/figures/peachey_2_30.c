@@ -75,7 +75,7 @@ static bl_status draw_signal(bl_run *run, bl_message *message) {
         {BL_STROKE_LINE, BL_INK_MEASURED, "signal.csv", "x", "signal", NULL, "signal", 0},
         {BL_STROKE_LINE, BL_INK_THEORY, "signal.csv", "x", "alias", NULL, "alias", 0},
         {BL_STROKE_POINTS, BL_INK_PLAIN, "samples.csv", "x", "sample", NULL, "samples", 0}};
-    const bl_panel panel = {"", series, 3, NULL};
+    const bl_panel panel = {"0.85 cycles per sample", series, 3, NULL};
     const bl_plot plot = {.title = "What do too few samples of a sine look like?",
                           .x = {"x, sampling intervals", 0, LENGTH, 2, 0},
                           .y = {"value", -1.2, 1.2, 0.5, 0},
@@ -129,7 +129,7 @@ static bl_status draw_folding(bl_run *run, const folding *f, bl_message *message
         {BL_STROKE_POINTS, BL_INK_MEASURED, "folding.csv", "frequency_cycles_per_sample",
          "measured_cycles_per_sample", NULL, "measured", 0}};
     const bl_limit limits[] = {{1, 0.5, "half the rate"}};
-    const bl_panel panel = {"", series, 2, NULL};
+    const bl_panel panel = {"sines of random frequencies and phases", series, 2, NULL};
     const bl_plot plot = {.title = "At which frequency do samples show a sine?",
                           .x = {"frequency of the sine, cycles per sample", 0, 3, 0.5, 0},
                           .y = {"seen, cycles per sample", 0, 0.6, 0.1, 0},

@@ -14,7 +14,7 @@ static bl_status draw_widths(bl_run *run, const double *place, const double *wid
     const bl_series series[] = {{BL_STROKE_POINTS, BL_INK_MEASURED, "widths.csv", "height_units",
                                  "width_mortars", NULL, "point sampled", 0}};
     const bl_limit limits[] = {{0, 1, "the mortar"}};
-    const bl_panel panel = {"", series, 1, NULL};
+    const bl_panel panel = {"level joints, from the bottom up", series, 1, NULL};
     const bl_plot plot = {.title = "How wide do the joints look?",
                           .x = {"height of the joint, units", -1, 1, 0.25, 0},
                           .y = {"width, thicknesses of the mortar", -0.2, 2, 0.5, 0},
