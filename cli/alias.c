@@ -119,6 +119,7 @@ static json_t *row_json(const bl_alias_row *row) {
     bl_json_set_number(object, "first_alias_cycles_per_pixel", row->first_alias);
     bl_json_set_number(object, "predicted_alias", row->predicted_alias);
     bl_json_set_number(object, "predicted_blur", row->predicted_blur);
+    bl_json_set_numbers(object, "error_spectrum", row->rings, BL_ALIAS_RINGS);
     return object;
 }
 
@@ -139,6 +140,7 @@ static void fill_json(json_t *object, const bl_call *call, const bl_signal *sign
     bl_json_set_number(object, "reference_samples_per_pixel", result->reference.samples);
     json_object_set_new(object, "reference_exact", json_boolean(result->reference.exact));
     json_object_set_new(object, "reference_from_cache", json_boolean(result->reference.from_cache));
+    bl_json_set_number(object, "error_spectrum_ring_cycles_per_pixel", result->ring_width);
     for (size_t i = 0; i < result->count; i++)
         json_array_append_new(rows, row_json(&result->rows[i]));
     json_object_set_new(object, "rows", rows);
