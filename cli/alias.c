@@ -86,9 +86,9 @@ static bl_alias_settings settings_of(const bl_call *call) {
         settings.replicates = 3;
         settings.finest = 8;
         settings.frames = 4;
-        settings.rounds = 5;
-        settings.turn_seconds = 5e-4;
-        settings.most_samples = 256;
+        settings.rounds = 15;
+        settings.turn_seconds = 2e-4;
+        settings.most_samples = 64;
     } else if (call->common.full) {
         settings.replicates = 16;
         settings.frames = 16;
@@ -119,6 +119,7 @@ static json_t *row_json(const bl_alias_row *row) {
     bl_json_set_number(object, "first_alias_cycles_per_pixel", row->first_alias);
     bl_json_set_number(object, "predicted_alias", row->predicted_alias);
     bl_json_set_number(object, "predicted_blur", row->predicted_blur);
+    bl_json_set_numbers(object, "error_spectrum", row->rings, BL_ALIAS_RINGS);
     return object;
 }
 
@@ -139,6 +140,7 @@ static void fill_json(json_t *object, const bl_call *call, const bl_signal *sign
     bl_json_set_number(object, "reference_samples_per_pixel", result->reference.samples);
     json_object_set_new(object, "reference_exact", json_boolean(result->reference.exact));
     json_object_set_new(object, "reference_from_cache", json_boolean(result->reference.from_cache));
+    bl_json_set_number(object, "error_spectrum_ring_cycles_per_pixel", result->ring_width);
     for (size_t i = 0; i < result->count; i++)
         json_array_append_new(rows, row_json(&result->rows[i]));
     json_object_set_new(object, "rows", rows);
@@ -203,7 +205,8 @@ static bl_status run_alias(bl_call *call) {
     size_t size[2] = {0, 0};
     bl_view view;
     bl_signal *signal;
-    bl_status status = read_size(options->size, size, &call->message);
+    const char *usual_size = call->common.quick ? "64x64" : "128x128";
+    bl_status status = read_size(options->size ? options->size : usual_size, size, &call->message);
     if (status == BL_OK)
         status = bl_view_open(options->view, size[0], size[1], &view, &call->message);
     if (status != BL_OK)
@@ -237,8 +240,7 @@ static const bl_option options[] = {
      .kind = BL_OPTION_WORD,
      .offset = AT(size),
      .value = "WxH",
-     .fallback = "128x128",
-     .help = "pixels of the image (default: 128x128)"},
+     .help = "pixels of the image (default: 128x128; --quick 64x64)"},
     {.name = "pixel",
      .kind = BL_OPTION_CHOICE,
      .offset = AT(pixel),
