@@ -54,8 +54,9 @@ typedef struct bl_wave {
     void (*series)(double n, double *c, double *s); // of cos(2 pi n u) and sin(2 pi n u), n >= 1
 } bl_wave;
 
-// The average about x, 0 <= x < 1, for 0 < width. A wide sample of a filter other than the box is a
-// Fourier series. For a filter of infinite reach narrower than 1/BL_MOST_PANELS: NaN.
+// The average about x, -1 < x < 1 (so that places just below 0 keep their digits), for 0 < width. A
+// wide sample of a filter other than the box is a Fourier series. For a filter of infinite reach
+// narrower than 1/BL_MOST_PANELS: NaN.
 double bl_average_wave(const bl_filter *filter, const bl_wave *wave, double x, double width);
 
 enum { BL_MOST_PANELS = 8192 };
