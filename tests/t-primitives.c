@@ -217,7 +217,8 @@ static void test_facts_are_kept(void **state) {
 static void check_continuity(const char *text, const bl_signal *signal, const bl_filter *filter) {
     (void)filter;
     int jumps = 0;
-    for (double x = -1; x < 2; x += 1.0 / 240) { // all breaks are multiples of it
+    for (int i = -240; i < 480; i++) { // all breaks are multiples of 1/240
+        double x = i / 240.0;
         double rise = bl_test_filtered(signal, x, 0) - bl_test_filtered(signal, x - 1e-9, 0);
         double near = bl_test_filtered(signal, x, 0) - bl_test_filtered(signal, x - 1e-13, 0);
         jumps += fabs(rise) > 0.01 && fabs(near) > 0.5 * fabs(rise);
@@ -238,7 +239,7 @@ static void test_continuity_is_as_stated(void **state) {
 
 static void check_odd(const char *text, const bl_signal *signal, const bl_filter *filter) {
     static const double far[] = {1e9,    -1e9,  0x1p53, -0x1p62, 1e100,
-                                 -1e300, 1e308, -1e308, 5e-324,  -0.0};
+                                 -1e300, 8e307, -8e307, 5e-324,  -0.0};
     (void)filter;
     assert_true(isnan(bl_test_filtered(signal, NAN, 0)) || strstr(text, "low=1,high=0") ||
                 signal->facts.lower == signal->facts.upper);
