@@ -110,7 +110,7 @@ bl_status bl_pyramid_make(const float *values, size_t width, size_t height, cons
         return bl_report(message, BL_USAGE,
                          "a pyramid of %zu by %zu pixels: give an image that has some", width,
                          height);
-    if (filter->step(-reach_of(filter)) > 0x1p-50)
+    if (fabs(filter->step(-reach_of(filter))) > 0x1p-50)
         return bl_report(message, BL_USAGE,
                          "the filter '%s' has no end, so no pixel of a pyramid would have one: use "
                          "box, mitchell, lanczos or another that falls off",
