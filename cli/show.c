@@ -9,6 +9,7 @@
 #include "aliasing/view.h"
 #include "cli/json.h"
 #include "cli/plain.h"
+#include "cli/show_filter.h"
 #include "cli/verb.h"
 #include "cli/words.h"
 #include "core/grammar.h"
@@ -18,12 +19,6 @@
 #include "textures/texture.h"
 
 static const char *const kinds[] = {"seed", "integer", "real", "choice", "list", "text", "signal"};
-
-static const char *continuity_word(int continuity) {
-    static const char *const words[] = {"discontinuous", "C0", "C1", "C2", "C3", "C4"};
-    int last = (int)(sizeof words / sizeof *words) - 1;
-    return words[continuity < -1 ? 0 : continuity + 1 > last ? last : continuity + 1];
-}
 
 static json_t *parameters_json(const bl_parameter *parameter) {
     json_t *list = json_array();
@@ -88,7 +83,7 @@ static void facts_json(json_t *object, const bl_signal *signal) {
     bl_json_set_number(list, "variance", facts->variance);
     bl_json_set_numbers(list, "band_cycles_per_unit", isfinite(band[0]) ? band : NULL, 2);
     bl_json_set_number(list, "leak_db", facts->leak_db);
-    bl_json_set_text(list, "continuity", continuity_word(facts->continuity));
+    bl_json_set_text(list, "continuity", bl_continuity_word(facts->continuity));
     bl_json_set_numbers(list, "period", isnan(facts->period[0]) ? NULL : facts->period,
                         signal->dimensions);
     bl_json_set_number(list, "far", facts->far);
@@ -145,7 +140,7 @@ static void print_facts(FILE *out, const bl_signal *signal) {
         fprintf(out, "  %-12s no claim\n", "band");
     int stated = facts->continuity >= -1;
     fprintf(out, "  %-12s %s\n", "continuity",
-            stated ? continuity_word(facts->continuity) : "not stated");
+            stated ? bl_continuity_word(facts->continuity) : "not stated");
     print_period(out, facts->period, signal->dimensions);
     print_fact(out, "far", facts->far, " units: beyond it the fraction within a cell is lost");
     fprintf(out, "  %-12s %s\n", "spectrum",
@@ -185,26 +180,6 @@ static bl_status show_definition(bl_call *call, const bl_definition *definition,
         print_facts(call->out, signal);
     }
     bl_signal_free(signal);
-    return BL_OK;
-}
-
-static bl_status show_filter(bl_call *call, const bl_filter *filter) {
-    json_t *object = bl_json_start(call);
-    if (object) {
-        bl_json_set_text(object, "kind", "filter");
-        bl_json_set_text(object, "name", filter->name);
-        bl_json_set_text(object, "title", filter->title);
-        bl_json_set_text(object, "summary", filter->summary);
-        bl_json_set_text(object, "formula", filter->formula);
-        bl_json_set_text(object, "paper", filter->paper);
-        bl_json_set_number(object, "support_widths", filter->support);
-        bl_json_set_text(object, "continuity", continuity_word(filter->continuity));
-        return BL_OK;
-    }
-    fprintf(call->out, "%s: %s\n\n%s\n\nkernel       %s\n", filter->name, filter->title,
-            filter->summary, filter->formula);
-    fprintf(call->out, "source       %s\nsupport      %g widths to both sides\ncontinuity   %s\n",
-            filter->paper, filter->support, continuity_word(filter->continuity));
     return BL_OK;
 }
 
@@ -313,8 +288,18 @@ static bl_status report_unknown(bl_call *call, const char *name) {
                      name, near ? "; did you mean '" : "", near ? near : "", near ? "'? " : "; ");
 }
 
+typedef struct show_settings {
+    const char *plot;
+} show_settings;
+
 static bl_status run_show(bl_call *call) {
+    const show_settings *settings = call->settings;
     const char *text = call->operands.words[0];
+    if (settings->plot && !bl_filter_find(text))
+        return bl_report(&call->message, BL_USAGE,
+                         "--plot draws filters, and '%s' is none; `bandlimit list filters` shows "
+                         "them, `render` and `spectrum` draw signals",
+                         text);
     const bl_figure *figure = bl_figure_find(text);
     if (figure)
         return show_figure(call, figure);
@@ -330,7 +315,7 @@ static bl_status run_show(bl_call *call) {
     if (definition)
         status = show_definition(call, definition, text);
     else if (filter && !spec.count)
-        status = show_filter(call, filter);
+        status = bl_show_filter(call, filter, settings->plot);
     else if (view && !spec.count)
         status = show_view(call, view);
     else
@@ -338,6 +323,14 @@ static bl_status run_show(bl_call *call) {
     bl_spec_free(&spec);
     return status;
 }
+
+static const bl_option options[] = {
+    {.name = "plot",
+     .kind = BL_OPTION_WORD,
+     .offset = offsetof(show_settings, plot),
+     .value = "PATH",
+     .help = "of a filter: draw kernel, step and response to PATH, which ends in .svg or .png"},
+    {0}};
 
 const bl_verb bl_verb_show = {
     .name = "show",
@@ -350,6 +343,7 @@ const bl_verb bl_verb_show = {
     .least = 1,
     .most = 1,
     .output_help = "write the text to PATH instead of stdout",
-    .options = bl_no_options,
+    .options = options,
+    .settings_size = sizeof(show_settings),
     .run = run_show,
 };

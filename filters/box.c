@@ -37,6 +37,8 @@ static double response(double frequency) {
     return isinf(frequency) ? 0 : sin(M_PI * phase) / (M_PI * frequency);
 }
 
+static const bl_piecewise pieces = {0, 1, {0.5}, {{1}}};
+
 BL_FILTER_DESCRIPTOR(box) = {.name = "box",
                              .title = "box",
                              .summary = "The mean over one width: the simplest filter.",
@@ -47,4 +49,5 @@ BL_FILTER_DESCRIPTOR(box) = {.name = "box",
                              .kernel = kernel,
                              .step = step,
                              .ramp = ramp,
-                             .response = response};
+                             .response = response,
+                             .pieces = &pieces};

@@ -15,6 +15,8 @@
 
 #include <stddef.h>
 
+#include "core/piecewise.h"
+
 typedef struct bl_filter {
     const char *name;    // in the registry and the grammar: "catmull-rom"
     const char *title;   // "Catmull-Rom kernel"
@@ -28,6 +30,9 @@ typedef struct bl_filter {
     double (*ramp)(double t); // the integral of the step up to t; 0 at -inf, t for large t
     // The Fourier transform at a frequency in cycles per width, a closed form; 1 at 0.
     double (*response)(double frequency);
+    // The kernel as polynomials between knots; NULL for one that is none. Averages of periodic
+    // functions are then finite sums at any width (filters/pulse_train.h).
+    const bl_piecewise *pieces;
 } bl_filter;
 
 size_t bl_filter_count(void);

@@ -2,14 +2,9 @@
 //
 // The kernels of the lattice noises as piecewise polynomials: values, transforms, correlations.
 //
-// A kernel k is even or odd, has compact support and is given for x >= 0 by polynomials between
-// knots. Everything else follows from its jumps: J(x, m) is the step of the m-th derivative at the
-// knot x. With w = 2 pi f,
+// A kernel k is even or odd and has compact support. Its transform and its continuity follow from
+// its jumps J(x, m) (core/piecewise.h), and so does its correlation:
 //
-//   transform    k^(f) = int k(x) e^(-i w x) dx = sum over knots x and orders m of
-//                J(x, m) e^(-i w x) / (i w)^(m+1)                  (the derivative of order m+1 of
-//                each piece is a sum of impulses; divide by (i w)^(m+1))
-//   continuity   k is C^c when the lowest order that jumps is c+1; |k^| then falls as f^-(c+2)
 //   correlation  rho(t) = int k(x) k(x+t) dx has the transform |k^|^2, a product of two such sums:
 //                it is again a piecewise polynomial, with the jump (-1)^(m+1) J(x, m) J(y, n) of
 //                order m+n+1 at the knot y-x

@@ -14,17 +14,17 @@
 
 typedef struct knot_jumps {
     double knot;
-    double jump[BL_KERNEL_ORDERS];
+    double jump[BL_PIECEWISE_ORDERS];
 } knot_jumps;
 
 // All knots of the kernel, on both sides of 0.
-static int both_sides(bl_kernel kernel, knot_jumps out[2 * BL_KERNEL_PIECES + 1]) {
-    bl_kernel_jumps jumps = bl_kernel_find_jumps(kernel);
+static int both_sides(bl_kernel kernel, knot_jumps out[2 * BL_PIECEWISE_PIECES + 1]) {
+    bl_piecewise_jumps jumps = bl_piecewise_find_jumps(&bl_kernel_shapes[kernel]);
     int odd = bl_kernel_is_odd(kernel), count = 0;
     for (int i = 0; i < jumps.count; i++)
         for (int side = i == 0 ? 1 : -1; side <= 1; side += 2, count++) {
             out[count].knot = side * jumps.knot[i];
-            for (int m = 0; m < BL_KERNEL_ORDERS; m++)
+            for (int m = 0; m < BL_PIECEWISE_ORDERS; m++)
                 out[count].jump[m] =
                     side > 0 || ((m & 1) != odd) ? jumps.jump[i][m] : -jumps.jump[i][m];
         }
@@ -41,7 +41,7 @@ static void add_power(long double *sum, long double scale, long double shift, in
 }
 
 void bl_kernel_find_correlation(bl_kernel kernel, bl_correlation *correlation) {
-    knot_jumps at[2 * BL_KERNEL_PIECES + 1];
+    knot_jumps at[2 * BL_PIECEWISE_PIECES + 1];
     int count = both_sides(kernel, at);
     long double factorial[BL_CORRELATION_ORDERS] = {1};
     for (int p = 1; p < BL_CORRELATION_ORDERS; p++)
@@ -55,8 +55,8 @@ void bl_kernel_find_correlation(bl_kernel kernel, bl_correlation *correlation) {
                 double d = at[j].knot - at[i].knot;
                 if (d <= n)
                     continue;
-                for (int m = 0; m < BL_KERNEL_ORDERS; m++)
-                    for (int k = 0; k < BL_KERNEL_ORDERS; k++) {
+                for (int m = 0; m < BL_PIECEWISE_ORDERS; m++)
+                    for (int k = 0; k < BL_PIECEWISE_ORDERS; k++) {
                         double jump = at[i].jump[m] * at[j].jump[k] * (m & 1 ? 1 : -1);
                         if (jump != 0)
                             add_power(sum, -jump / factorial[m + k + 1], n + 0.5L - d, m + k + 1);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The transform of a kernel, by two routes that t-kernel compares where they meet.
+// The transform of a piecewise polynomial, by two routes that t-kernel compares where they meet.
 //
-// From |f| = 2 on, the sum over the jumps (noises/kernel.h). The knots x and -x give conjugate
-// terms for an even kernel and opposite ones for an odd kernel, so with w = 2 pi f
+// From |f| = 2 on, the sum over the jumps (core/piecewise.h). The knots x and -x give
+// conjugate terms for an even function and opposite ones for an odd one, so with w = 2 pi f
 //     even:  k^ = sum_m w^-(m+1) [J(0,m) c_m(0) + 2 sum_{x>0} J(x,m) c_m(w x)]
 //            with c_m(a) = Re(e^(-ia) i^-(m+1)) = cos(a + (m+1) pi/2)
 //     odd:   the same with s_m(a) = sin(a + (m+1) pi/2): -Im of the same number.
@@ -15,16 +15,16 @@
 // rounding, 1e-16.
 #include <math.h>
 
+#include "core/piecewise.h"
 #include "core/quadrature.h"
-#include "noises/kernel_tables.h"
 
-static double by_jumps(const bl_kernel_jumps *jumps, int odd, double f) {
+static double by_jumps(const bl_piecewise_jumps *jumps, int odd, double f) {
     double w = 2 * M_PI * f, sum = 0;
     for (int i = 0; i < jumps->count; i++) {
         // f x in cycles, reduced before it is scaled: exact remainders for any f.
         double angle = 2 * M_PI * remainder(f * jumps->knot[i], 1);
         double cosine = cos(angle), sine = sin(angle), at_knot = 0, power = 1 / w;
-        for (int m = 0; m < BL_KERNEL_ORDERS; m++, power /= w) {
+        for (int m = 0; m < BL_PIECEWISE_ORDERS; m++, power /= w) {
             double turned = sine; // cos or sin of (angle + (m+1) pi/2), turned below
             switch ((m + 1 - odd) & 3) {
             case 0:
@@ -46,15 +46,14 @@ static double by_jumps(const bl_kernel_jumps *jumps, int odd, double f) {
     return sum;
 }
 
-static double by_quadrature(bl_kernel kernel, double f) {
-    const bl_kernel_shape *shape = &bl_kernel_shapes[kernel];
+static double by_quadrature(const bl_piecewise *shape, double f) {
     double left = 0, sum = 0;
-    for (int i = 0; i < BL_KERNEL_PIECES && shape->knot[i] > 0; i++) {
+    for (int i = 0; i < BL_PIECEWISE_PIECES && shape->knot[i] > 0; i++) {
         double half = (shape->knot[i] - left) / 4; // half of the width of half a piece
         for (int part = 1; part <= 3; part += 2)
             for (int n = 0; n < BL_QUADRATURE_NODES; n++) {
                 double x = left + half * (part + bl_quadrature_node[n]);
-                double value = bl_polynomial(shape->coefficient[i], BL_KERNEL_ORDERS, x);
+                double value = bl_polynomial(shape->coefficient[i], BL_PIECEWISE_ORDERS, x);
                 double angle = 2 * M_PI * f * x;
                 sum +=
                     half * bl_quadrature_weight[n] * value * (shape->odd ? sin(angle) : cos(angle));
@@ -64,13 +63,12 @@ static double by_quadrature(bl_kernel kernel, double f) {
     return 2 * sum;
 }
 
-double bl_kernel_transform(bl_kernel kernel, double f) {
-    const bl_kernel_shape *shape = &bl_kernel_shapes[kernel];
+double bl_piecewise_transform(const bl_piecewise *function, const bl_piecewise_jumps *jumps,
+                              double f) {
     if (!(fabs(f) >= 2))
-        return by_quadrature(kernel, f) / shape->divisor;
+        return by_quadrature(function, f) / function->divisor;
     if (isinf(f))
         return 0;
-    const bl_kernel_tables *tables = bl_kernel_get_tables();
-    double size = by_jumps(&tables->jumps[kernel], shape->odd, fabs(f)) / shape->divisor;
-    return shape->odd && f < 0 ? -size : size;
+    double size = by_jumps(jumps, function->odd, fabs(f)) / function->divisor;
+    return function->odd && f < 0 ? -size : size;
 }
