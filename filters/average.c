@@ -106,10 +106,15 @@ static double panel(const sum *s, size_t piece, double t0, double t1) {
     return half * total;
 }
 
+// Where a kernel without an end is cut: beyond it, the integral of sin(pi t) / (pi t) against
+// anything monotone is below 2^-53, and 2 t + 1 would not be exact.
+static const double farthest_place = 0x1p51;
+
 // From place `from` to place `to` of the function, cut where the kernel may break.
 static double part(const sum *s, size_t piece, double from, double to) {
-    double t0 = fmax((s->x - to) / s->width, -s->reach);
-    double t1 = fmin((s->x - from) / s->width, s->reach), total = 0;
+    double reach = fmin(s->reach, farthest_place), total = 0;
+    double t0 = fmax((s->x - to) / s->width, -reach);
+    double t1 = fmin((s->x - from) / s->width, reach);
     while (t0 < t1) {
         double next = fmin(0.5 * (floor(2 * t0) + 1), t1);
         total += panel(s, piece, t0, next);
