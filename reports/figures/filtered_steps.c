@@ -246,6 +246,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         if (bl_filter_at(f) == bl_filter_find("smoothstep"))
             parabola = &numbers[f];
     }
+    bl_run_setting(run, "filters", bl_run_text(run, "all %zu of the registry", count_of()));
     bl_status status = draw_steps(run, message);
     if (status == BL_OK)
         status = draw_responses(run, message);

@@ -4,7 +4,6 @@
 // corners of a box give, and what an image averaged by it looks like.
 #include <math.h>
 
-#include "core/clock.h"
 #include "core/random.h"
 #include "filters/summed_area.h"
 #include "reports/figures/estimates.h"
@@ -70,32 +69,6 @@ static void claim_geometry(bl_run *run, const float *values, const bl_summed_are
                   bl_exactly(ceil(log2(1 + entry(table, SIDE, SIDE))), 1), "entry");
 }
 
-typedef struct reading {
-    const bl_summed_area *table;
-    double size;
-    double sum;
-} reading;
-
-static void read_boxes(void *user) {
-    reading *r = user;
-    const double size[2] = {r->size, r->size};
-    for (int n = 0; n < 256; n++)
-        r->sum += bl_summed_area_mean(r->table, 40.3 + n % 16, 40.7 + n / 16, size);
-}
-
-static void claim_time(bl_run *run, const bl_summed_area *table) {
-    reading small = {table, 2, 0}, large = {table, 64, 0};
-    const bl_work works[] = {{read_boxes, &small, NULL}, {read_boxes, &large, NULL}};
-    bl_time times[2];
-    bl_run_step(run, "time of small and large boxes");
-    bl_time_by_turns(works, 2, (int)bl_run_pick(run, 9, 31, 101), 2e-4, times);
-    bl_make_claim(run, section,
-                  "The cost is constant, whatever the size of the region: the time of a box of 64 "
-                  "by 64 pixels over that of one of 2 by 2.",
-                  "least of the times, taken by turns", "", 0.5, 2,
-                  bl_observed(times[1].minimum / times[0].minimum, 2), "boxes");
-}
-
 // --- pictures -----------------------------------------------------------------------------------
 
 static bl_status write_panel(bl_run *run, const char *name, const float *values,
@@ -146,7 +119,7 @@ static bl_status draw(bl_run *run, const float *values, const bl_summed_area *ta
                           .scale_label = "value"};
     return status == BL_OK
                ? bl_run_plot(
-                     run, "table", &plot,
+                     run, "geometry", &plot,
                      "Four grey pictures: an image of rings, dark but for the rectangle from "
                      "the upper left corner to s = 66, t = 60; the same, dark but for the box "
                      "from 30, 24 to 66, 60; the table, which brightens steadily towards the "
@@ -159,6 +132,7 @@ static bl_status draw(bl_run *run, const float *values, const bl_summed_area *ta
 static bl_status run_figure(bl_run *run, bl_message *message) {
     float values[PIXELS];
     bl_summed_area *table = NULL;
+    bl_run_setting(run, "image", bl_run_text(run, "%d by %d pixels of 8 bits", SIDE, SIDE));
     for (int n = 0; n < PIXELS; n++)
         values[n] = image_at(n % SIDE, n / SIDE);
     bl_status status =
@@ -166,10 +140,8 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
     if (status != BL_OK)
         return status;
     status = draw(run, values, table, message);
-    if (status == BL_OK) {
+    if (status == BL_OK)
         claim_geometry(run, values, table);
-        claim_time(run, table);
-    }
     bl_summed_area_free(table);
     return status;
 }
