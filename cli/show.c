@@ -301,10 +301,22 @@ typedef struct show_settings {
     const char *plot;
 } show_settings;
 
+// A name may be that of a primitive and of a filter, as smoothstep; `filter:smoothstep` is the
+// filter, and so is what is to be plotted.
+static const bl_filter *filter_meant(const char *text, const char *plot) {
+    static const char prefix[] = "filter:";
+    if (strncmp(text, prefix, sizeof prefix - 1) == 0)
+        return bl_filter_find(text + sizeof prefix - 1);
+    return plot ? bl_filter_find(text) : NULL;
+}
+
 static bl_status run_show(bl_call *call) {
     const show_settings *settings = call->settings;
     const char *text = call->operands.words[0];
-    if (settings->plot && !bl_filter_find(text))
+    const bl_filter *filter = filter_meant(text, settings->plot);
+    if (filter)
+        return bl_show_filter(call, filter, settings->plot);
+    if (settings->plot)
         return bl_report(&call->message, BL_USAGE,
                          "--plot draws filters, and '%s' is none; `bandlimit list filters` shows "
                          "them, `render` and `spectrum` draw signals",
@@ -319,12 +331,12 @@ static bl_status run_show(bl_call *call) {
     if (status != BL_OK)
         return status;
     const bl_definition *definition = bl_source_definition(spec.name, call->isa);
-    const bl_filter *filter = bl_filter_find(spec.name);
     const bl_view_kind *view = bl_view_find(spec.name);
+    filter = bl_filter_find(spec.name);
     if (definition)
         status = show_definition(call, definition, text);
     else if (filter && !spec.count)
-        status = bl_show_filter(call, filter, settings->plot);
+        status = bl_show_filter(call, filter, NULL);
     else if (view && !spec.count)
         status = show_view(call, view);
     else
@@ -347,7 +359,8 @@ const bl_verb bl_verb_show = {
     .summary = "definition, parameters, claims, source",
     .text =
         "NAME is a noise, primitive or texture, with or without settings (the facts are those for "
-        "the settings), a filter, a view, a figure, a file, a function ./lib.so:NAME, or a program "
+        "the settings), a filter (filter:NAME where a primitive has that name too), a view, a "
+        "figure, a file, a function ./lib.so:NAME, or a program "
         "cmd:PROGRAM.",
     .least = 1,
     .most = 1,

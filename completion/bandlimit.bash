@@ -86,7 +86,11 @@ _bandlimit() {
         options="--names"
         words="noises primitives filters textures views figures"
         ;;
-    show) words="$(_bandlimit_names noises) $(_bandlimit_names figures)" files=yes ;;
+    show)
+        options="--plot"
+        words="$(_bandlimit_names noises) $(_bandlimit_names filters) $(_bandlimit_names figures)"
+        files=yes
+        ;;
     eval)
         options="--components"
         words=$(_bandlimit_names noises) files=yes
