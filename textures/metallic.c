@@ -97,5 +97,5 @@ BL_TEXTURE_DESCRIPTOR(metallic) = {
     .parameters_size = sizeof(metallic_parameters),
     .seed_offset = SIZE_MAX,
     .describe = describe,
-    .picture = {.scale = 2, .at = {0, 1, 0}, .normal = {0, -1, 0}},
+    .picture = {.scale = 4, .at = {1, 0, 0}, .normal = {1, 0, 0}},
     .functions = {BL_TEXTURE_FUNCTIONS}};

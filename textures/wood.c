@@ -69,7 +69,7 @@ static double share_of_late(const wood_parameters *p, double r, double width) {
     if (p->seeing.filter == INTEGRAL)
         return ring_average(r, width * p->rings);
     double kept = bl_octave_kept(p->rings, (bl_octave_clamp)p->seeing.filter, width);
-    return 0.5 + (ring(r) - 0.5) * kept;
+    return kept < 1 ? 0.5 + (ring(r) - 0.5) * kept : ring(r);
 }
 
 static bl_colour see(const wood_parameters *p, const double at[BL_AXES], double width) {
