@@ -260,9 +260,8 @@ static void test_infinite_width_is_the_mean(void **state) {
                  {"bumpbrick", 1040, 2e-4},  {"checkerboard", 64, 0},
                  {"star", 400, 0},           {"wallpaper", 40, 2e-3},
                  {"cloudplane", 1000, 2e-3}, {"marble", 200, 4e-3},
-                 {"wood", 200, 1e-3},        {"metallic", 0, 0},
-                 {"zoneplate", 4, 2e-2},     {"sinesum", 64, 0},
-                 {"image:amount=0", 16, 0}};
+                 {"wood", 200, 1e-3},        {"zoneplate", 4, 2e-2},
+                 {"sinesum", 64, 0},         {"image:amount=0", 16, 0}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         bl_signal *signal = open_signal(cases[i].name);

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "textures/noise_source.h"
 
+#include <string.h>
+
 #include "noises/noise.h"
 
 bl_status bl_noise_source_open(bl_noise_source *source, const char *text, unsigned dimensions,
                                bl_message *message) {
     bl_signal *opened, *seeded;
+    if (strstr(text, ":seed=") || strstr(text, ",seed="))
+        return bl_report(message, BL_USAGE,
+                         "the texture's own seed is the seed of its noise '%s'; give seed=, not "
+                         "noise.seed=",
+                         text);
     bl_status status = bl_noise_open(text, BL_ISA_BASELINE, &opened, message);
     if (status != BL_OK)
         return status;

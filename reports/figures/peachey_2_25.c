@@ -70,19 +70,19 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                                .title = "bumpbrick",
                                .signal = wall[0],
                                .at = {0.35, 0.2},
-                               .scale = 0.6,
+                               .scale = 0.36,
                                .samples = 3},
                               {.key = "flat",
                                .title = "brick, without bumps",
                                .signal = wall[2],
                                .at = {0.35, 0.2},
-                               .scale = 0.6,
+                               .scale = 0.36,
                                .samples = 3},
                               {.key = "slope",
                                .title = "averaged slopes, few pixels",
                                .signal = wall[1],
                                .at = {0.35, 0.2},
-                               .scale = 0.6,
+                               .scale = 0.36,
                                .pixels = 48,
                                .filtered = 1}};
     const bl_pictures pictures = {
@@ -96,7 +96,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .columns = 3,
         .pixels = 48 * (unsigned)bl_run_pick(run, 4, 8, 20),
         .upwards = 1,
-        .unit = "pictures of 0.6 units"};
+        .unit = "pictures of 0.36 units"};
     if (status == BL_OK)
         status = bl_pictures_draw(run, &pictures, message);
     if (status == BL_OK)

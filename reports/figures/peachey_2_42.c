@@ -45,7 +45,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
     for (int i = 0; i < 3 && status == BL_OK; i++)
         status = bl_pictures_open(texts[i], &paper[i], message);
     if (status == BL_OK)
-        wrong = wrong_share(paper[1], paper[0], (int)bl_run_pick(run, 20, 48, 256), where, &looked);
+        wrong = wrong_share(paper[1], paper[0], (int)bl_run_pick(run, 12, 48, 256), where, &looked);
     for (int i = 0; i < 6; i++)
         shown[i] =
             (bl_shown){.key = bl_run_text(run, "%s%s", keys[i % 3], i < 3 ? "" : "-near"),
@@ -64,7 +64,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .shown = shown,
         .count = 6,
         .columns = 3,
-        .pixels = (unsigned)bl_run_pick(run, 160, 320, 1024),
+        .pixels = (unsigned)bl_run_pick(run, 128, 320, 1024),
         .unit = "pictures of 1 and 0.12 units"};
     if (status == BL_OK)
         status = bl_pictures_draw(run, &pictures, message);

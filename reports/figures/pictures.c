@@ -59,7 +59,8 @@ static bl_status draw_one(bl_run *run, const bl_shown *shown, unsigned full, int
             for (size_t i = 0; i < full; i++)
                 draw_pixel(shown, signal, upwards, pixels, i / times, j / times,
                            values + 3 * (full * j + i));
-        const bl_attribute attribute = {"bandlimit:signal", signal->text};
+        const bl_attribute attribute = {"bandlimit:signal",
+                                        shown->text ? shown->text : signal->text};
         const bl_image image = {.width = full,
                                 .height = full,
                                 .channels = 3,
@@ -107,7 +108,7 @@ bl_status bl_pictures_draw(bl_run *run, const bl_pictures *pictures, bl_message 
     for (size_t i = 0; i < pictures->count && status == BL_OK; i++) {
         const bl_shown *shown = &pictures->shown[i];
         bl_run_setting(run, bl_run_text(run, "picture %s", shown->key),
-                       shown->signal ? shown->signal->text : shown->text);
+                       shown->text ? shown->text : shown->signal->text);
         status = draw_one(run, shown, pictures->pixels, pictures->upwards, message);
     }
     return status == BL_OK ? plot_all(run, pictures, message) : status;

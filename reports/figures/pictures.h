@@ -13,7 +13,7 @@
 typedef struct bl_shown {
     const char *key;         // of the file: letters, digits and '-'
     const char *title;       // of the panel
-    const char *text;        // of the signal
+    const char *text;        // of the signal; of one that is given, what the settings call it
     const bl_signal *signal; // NULL: opened from the text
     double at[BL_AXES];
     double scale;     // units across
