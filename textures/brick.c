@@ -94,7 +94,7 @@ static void describe(const void *block, bl_facts *facts) {
     int point = p->seeing.width == 0 || p->seeing.filter == NONE;
     *facts = bl_facts_unknown();
     bl_texture_bound(facts, p->seeing.component, ends, 2, "it lies between two colours");
-    double contrast = facts->upper - facts->lower - 0x1p-49;
+    double contrast = facts->upper - facts->lower;
     if (point)
         facts->variance = share * (1 - share) * contrast * contrast;
     // The forms that see one brick alone lose what its neighbours would give.

@@ -19,8 +19,8 @@
 //
 // Bound: colours are cut to [0, 1], which the spline leaves nowhere with these knots. Mean: not
 // stated; infinite width gives the map's average over a normal distribution with the variance of m.
-// Class C1, as its noise: the map's clamp bends nothing, for the spline is level at its ends
-// (its last but one knots are pairs). NaN and infinite places give NaN, and those beyond 2^62.
+// Class C0: the clamp bends the map at its lower end; at the upper one the spline is level. NaN and
+// infinite places give NaN, and those beyond 2^62.
 //
 // Source: peachey2003, section at figure 2.40. Deviations: the text filters nothing; shading is
 // left to the viewer.

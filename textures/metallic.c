@@ -15,8 +15,8 @@
 //
 // Bound: colours are cut to [0, 1]; the spline undershoots 0 in blue just below the horizon. Mean
 // and infinite width: the average over all altitudes, which on a sphere are uniformly distributed
-// (Archimedes), before the cut. Period: none. Class C1, but at the origin, where there is no
-// direction and no value. NaN and infinite places give NaN.
+// (Archimedes), before the cut. Period: none. Class C0, where blue is cut at 0, but at the origin,
+// where there is no direction and no value. NaN and infinite places give NaN.
 //
 // Source: peachey2003, p. 36. Deviation: the listing's names of two blues are damaged; the ramp
 // from the horizon up is that of its seven blues and black in the order of their brightness.

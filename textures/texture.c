@@ -59,9 +59,10 @@ void bl_texture_bound(bl_facts *facts, uint32_t component, const bl_colour *colo
         facts->lower = fmin(facts->lower, value);
         facts->upper = fmax(facts->upper, value);
     }
-    // Mixtures and luminances are sums of products that round: some ulps of 1 beyond the ends.
-    facts->lower -= 0x1p-50;
-    facts->upper += 0x1p-50;
+    // Mixtures and luminances are sums of products of what is not negative, which round: some ulps
+    // beyond the ends, and none below 0.
+    facts->lower -= 0x1p-50 * fabs(facts->lower);
+    facts->upper += 0x1p-50 * fabs(facts->upper);
     facts->bound_proof = proof;
 }
 

@@ -88,9 +88,9 @@ static bl_status plot_all(bl_run *run, const bl_pictures *pictures, bl_message *
                                .image = bl_run_text(run, "%s.png", pictures->shown[i].key)};
     const bl_plot plot = {
         .title = pictures->title,
-        .x = {bl_run_text(run, "s, %s", pictures->unit), 0, 1, 0.25},
+        .x = {bl_run_text(run, "s, %s", pictures->unit), 0, 1, 0.25, 0},
         .y = {bl_run_text(run, "%s, %s", pictures->upwards ? "-t" : "t", pictures->unit), 1, 0,
-              0.25},
+              0.25, 0},
         .panels = panels,
         .panel_count = pictures->count,
         .columns = pictures->columns,
