@@ -325,6 +325,45 @@ static void test_a_png_spans_what_the_signal_states(void **state) {
     unlink(path), unlink(bl_test_path("again.png")), unlink(bl_test_path("signs.exr"));
 }
 
+static double channel_at(const char *path, const char *channel) {
+    char text[512];
+    snprintf(text, sizeof text, "%s:spacing=1%s%s", path, *channel ? ",channel=" : "", channel);
+    json_t *pixel = RUN_JSON(0, "eval", text, "0", "0");
+    double value = item_of(pixel, "values", 0);
+    json_decref(pixel);
+    return value;
+}
+
+// One pixel in the middle of a brick: linear in EXR, by the curve of sRGB in PNG, and a value as
+// any other if a component is named.
+static void test_a_texture_is_rendered_in_colour(void **state) {
+    (void)state;
+    static const struct {
+        const char *signal, *file, *channel;
+        double expected;
+    } cases[] = {{"brick", "b.exr", "R", 0.5},
+                 {"brick", "b.exr", "B", 0.14},
+                 {"brick", "b.png", "R", 0.735357}, // 1.055 * 0.5^(1/2.4) - 0.055
+                 {"brick", "b.png", "G", 0.424697}, // of 0.15
+                 {"brick:component=blue", "b.exr", "", 0.14},
+                 {"brick:component=blue", "b.png", "", 0.14},
+                 {"brick:width=1e6,filter=exact", "b.exr", "G", 0.5 - 0.35 * 0.25 * 0.08 / 0.0234}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const char *path = bl_test_path(cases[i].file);
+        json_t *object = RUN_JSON(0, "render", cases[i].signal, "--width", "1", "--at",
+                                  "0.13,0.045", "-o", path);
+        assert_string_equal(text_of(object, "colour"), *cases[i].channel ? "linear sRGB" : "none");
+        json_decref(object);
+        assert_near(channel_at(path, cases[i].channel), cases[i].expected, 0.0021);
+        unlink(path);
+    }
+    bl_ran ran =
+        bl_run_program("render", "brick", "--components", "3", "-o", bl_test_path("b.exr"));
+    assert_int_equal(ran.status, 3);
+    bl_ran_free(&ran);
+    assert_int_equal(bl_test_files(), 0);
+}
+
 static void test_a_report_goes_to_the_file_and_to_nowhere_else(void **state) {
     (void)state;
     const char *text = bl_test_path("list.txt"), *json = bl_test_path("check.json");
@@ -390,6 +429,7 @@ int main(void) {
         cmocka_unit_test(test_a_histogram_counts_every_sample),
         cmocka_unit_test(test_a_rendered_image_holds_the_values),
         cmocka_unit_test(test_a_png_spans_what_the_signal_states),
+        cmocka_unit_test(test_a_texture_is_rendered_in_colour),
         cmocka_unit_test(test_a_report_goes_to_the_file_and_to_nowhere_else),
         cmocka_unit_test(test_quiet_leaves_the_exit_status_alone),
         cmocka_unit_test(test_the_benchmark_has_its_rows),

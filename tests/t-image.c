@@ -415,6 +415,22 @@ static void test_png_codes_are_proportional_to_the_values(void **state) {
     bl_signal_free(signal);
 }
 
+// Points of the curve as IEC 61966-2-1 gives it, in codes of 255: its two ends, its linear part,
+// and middle grey, 0.214 for the code 127.5.
+static void test_png_codes_of_linear_light_follow_srgb(void **state) {
+    (void)state;
+    static const float values[4] = {0, 0.0031308f, 0.21404f, 1};
+    static const double codes[4] = {0, 12.92 * 0.0031308, 0.5, 1};
+    const bl_image image = {
+        .width = 4, .height = 1, .values = values, .white = 1, .bits = 16, .srgb = 1};
+    bl_message message = {""};
+    assert_int_equal(bl_image_write(bl_temporary_path("light.png"), &image, &message), BL_OK);
+    bl_signal *signal = open_good("light.png", ":spacing=1");
+    for (int i = 0; i < 4; i++)
+        assert_near(at(signal, i, 0), codes[i], 2e-5);
+    bl_signal_free(signal);
+}
+
 static void test_a_bad_image_is_not_written(void **state) {
     (void)state;
     bl_message message = {""};
@@ -489,6 +505,7 @@ int main(void) {
         cmocka_unit_test(test_exr_and_tiff_keep_the_floats_and_the_spacing),
         cmocka_unit_test(test_the_same_image_gives_the_same_bytes),
         cmocka_unit_test(test_png_codes_are_proportional_to_the_values),
+        cmocka_unit_test(test_png_codes_of_linear_light_follow_srgb),
         cmocka_unit_test(test_a_bad_image_is_not_written),
         cmocka_unit_test(test_a_disk_that_fills_up_leaves_nothing),
     };
