@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `trade`: what every alternative of a choice costs, and what it gets wrong.
+#include "aliasing/trade.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/json.h"
+#include "cli/plain.h"
+#include "cli/verb.h"
+#include "cli/words.h"
+#include "reports/trade_files.h"
+
+enum { TRADES_MOST = 32 };
+
+typedef struct trade_options {
+    const char *trade, *view;
+} trade_options;
+
+static const char the_word[] = "spectrum";
+
+// The subject: a signal, or a word that is none.
+typedef struct trade_subject {
+    bl_signal *signal;
+    const char *text;
+} trade_subject;
+
+// --- what is traded -----------------------------------------------------------------------------
+
+// All names, with commas between them.
+static const char *names_of(char *text, size_t size) {
+    text[0] = '\0';
+    for (size_t i = 0; i < bl_trade_count(); i++)
+        snprintf(text + strlen(text), size - strlen(text), "%s%s", i ? ", " : "",
+                 bl_trade_at(i)->name);
+    return text;
+}
+
+static bl_status open_subject(bl_call *call, trade_subject *subject) {
+    static const char *const words[] = {the_word, NULL};
+    char trades[256];
+    const char *text = call->operands.words[0];
+    *subject = (trade_subject){NULL, text};
+    if (strcmp(text, the_word) == 0)
+        return BL_OK;
+    bl_status status = bl_call_open(call, text, &subject->signal);
+    if (status == BL_OK)
+        subject->text = subject->signal->text;
+    if (status != BL_USAGE)
+        return status;
+    bl_message own = call->message;
+    const char *near = bl_suggest(text, words);
+    return bl_report(&call->message, BL_USAGE,
+                     "%.600s%s%s%s; a subject is a noise, a primitive, a texture, or the word %s, "
+                     "for the trades %s",
+                     own.text, near ? ", or '" : "", near ? near : "", near ? "'" : "", the_word,
+                     names_of(trades, sizeof trades));
+}
+
+static int applies(const bl_trade *trade, const trade_subject *subject) {
+    return trade->applies(subject->signal, subject->signal ? NULL : subject->text);
+}
+
+static bl_status choose(bl_call *call, const trade_subject *subject, const bl_trade **chosen,
+                        size_t *count) {
+    const trade_options *options = call->settings;
+    char trades[256];
+    *count = 0;
+    for (size_t i = 0; i < bl_trade_count() && *count < TRADES_MOST; i++)
+        if (applies(bl_trade_at(i), subject) &&
+            (!options->trade || strcmp(options->trade, bl_trade_at(i)->name) == 0))
+            chosen[(*count)++] = bl_trade_at(i);
+    if (*count)
+        return BL_OK;
+    const bl_trade *asked = options->trade ? bl_trade_find(options->trade) : NULL;
+    if (options->trade && !asked) {
+        const char *names[TRADES_MOST + 1] = {NULL};
+        for (size_t i = 0; i < bl_trade_count() && i < TRADES_MOST; i++)
+            names[i] = bl_trade_at(i)->name;
+        const char *near = bl_suggest(options->trade, names);
+        return bl_report(&call->message, BL_USAGE, "--trade %s: no such trade%s%s%s; there are %s",
+                         options->trade, near ? "; did you mean '" : "", near ? near : "",
+                         near ? "'?" : "", names_of(trades, sizeof trades));
+    }
+    if (asked)
+        return bl_report(&call->message, BL_MISMATCH,
+                         "'%.200s' has no choice that '%s' trades (%s); without --trade all that "
+                         "apply are shown",
+                         subject->text, asked->name, asked->title);
+    return bl_report(&call->message, BL_MISMATCH,
+                     "'%.200s' has no choice that is traded; the trades are %s, as of vcnoise, "
+                     "vnoise, scnoise, fractalsum, bias, step, brick and %s",
+                     subject->text, names_of(trades, sizeof trades), the_word);
+}
+
+// --- reports ------------------------------------------------------------------------------------
+
+static json_t *alternative_json(const bl_alternative *alternative) {
+    json_t *object = json_object();
+    bl_json_set_text(object, "alternative", alternative->name);
+    bl_json_set_estimate(object, "error", &alternative->error);
+    bl_json_set_number(object, "largest_error", alternative->largest);
+    bl_json_set_number(object, "ns_per_sample", alternative->ns);
+    bl_json_set_number(object, "ns_per_sample_lower", alternative->ns_lowest);
+    bl_json_set_number(object, "ns_per_sample_upper", alternative->ns_highest);
+    json_object_set_new(object, "front", json_boolean(alternative->front));
+    return object;
+}
+
+static json_t *trade_json(const bl_trade *trade, const bl_alternatives *alternatives) {
+    json_t *object = json_object(), *rows = json_array();
+    bl_json_set_text(object, "trade", trade->name);
+    bl_json_set_text(object, "title", trade->title);
+    bl_json_set_text(object, "question", trade->question);
+    bl_json_set_text(object, "paper", trade->paper);
+    bl_json_set_text(object, "error", trade->error_name);
+    bl_json_set_text(object, "error_unit", trade->error_unit);
+    bl_json_set_text(object, "sample", trade->sample);
+    for (size_t i = 0; i < alternatives->count; i++)
+        json_array_append_new(rows, alternative_json(&alternatives->list[i]));
+    json_object_set_new(object, "alternatives", rows);
+    return object;
+}
+
+static void print_trade(FILE *out, const bl_trade *trade, const bl_alternatives *alternatives) {
+    int width = 11;
+    for (size_t i = 0; i < alternatives->count; i++) {
+        int letters = (int)strlen(alternatives->list[i].name);
+        width = letters > width ? letters : width;
+    }
+    fprintf(out, "\n%s: %s\n", trade->name, trade->question);
+    fprintf(out, "error: %s, %s\ntime: nanoseconds for %s\n\n", trade->error_name,
+            trade->error_unit, trade->sample);
+    fprintf(out, "  %-*s  %-10s %-23s  %-10s  %-10s %s\n", width, "alternative", "error",
+            "95 % interval", "largest", "ns", "half of the turns");
+    for (size_t i = 0; i < alternatives->count; i++) {
+        const bl_alternative *a = &alternatives->list[i];
+        char largest[32] = "", interval[64];
+        if (isfinite(a->largest))
+            snprintf(largest, sizeof largest, "%.3g", a->largest);
+        snprintf(interval, sizeof interval, "%.3g to %.3g", a->error.lower, a->error.upper);
+        fprintf(out, "%c %-*s  %-10.3g %-23s  %-10s  %-10.4g %.4g to %.4g\n", a->front ? '*' : ' ',
+                width, a->name, a->error.value, interval, largest, a->ns, a->ns_lowest,
+                a->ns_highest);
+    }
+}
+
+static bl_status run_one(bl_call *call, const trade_subject *subject, const bl_trade *trade,
+                         json_t *list) {
+    const trade_options *options = call->settings;
+    const bl_trade_settings settings = {.seed = call->common.seed,
+                                        .threads = bl_call_threads(call),
+                                        .size = call->common.full    ? 2
+                                                : call->common.quick ? 0
+                                                                     : 1,
+                                        .view = options->view};
+    bl_alternatives alternatives;
+    bl_progress(call, "trading %s of %s ...", trade->title, subject->text);
+    bl_status status =
+        bl_trade_run(trade, subject->signal, &settings, &alternatives, &call->message);
+    bl_progress(call, NULL);
+    if (status != BL_OK)
+        return status;
+    if (call->path)
+        status =
+            bl_trade_files_write(trade, subject->text, &alternatives, call->path, &call->message);
+    if (status == BL_OK && list)
+        json_array_append_new(list, trade_json(trade, &alternatives));
+    else if (status == BL_OK && !call->common.quiet)
+        print_trade(call->out, trade, &alternatives);
+    bl_trade_close(trade, &alternatives);
+    return status;
+}
+
+static bl_status run_trade(bl_call *call) {
+    const bl_trade *chosen[TRADES_MOST];
+    trade_subject subject;
+    size_t count = 0;
+    bl_status status = open_subject(call, &subject);
+    if (status == BL_OK)
+        status = choose(call, &subject, chosen, &count);
+    json_t *object = status == BL_OK ? bl_json_start(call) : NULL, *list = NULL;
+    if (object) {
+        bl_json_set_text(object, "subject", subject.text);
+        bl_json_set_count(object, "seed", call->common.seed);
+        list = json_array();
+        json_object_set_new(object, "trades", list);
+    } else if (status == BL_OK && !call->common.quiet) {
+        fputs("cost against error of ", call->out);
+        bl_plain_text(call->out, subject.text);
+        fputs("; * nothing is both cheaper and better\n", call->out);
+    }
+    for (size_t i = 0; i < count && status == BL_OK; i++)
+        status = run_one(call, &subject, chosen[i], list);
+    bl_signal_free(subject.signal);
+    return status;
+}
+
+static const bl_option options[] = {{.name = "trade",
+                                     .kind = BL_OPTION_WORD,
+                                     .offset = offsetof(trade_options, trade),
+                                     .value = "NAME",
+                                     .help = "this trade alone (default: all that apply)"},
+                                    {.name = "view",
+                                     .kind = BL_OPTION_WORD,
+                                     .offset = offsetof(trade_options, view),
+                                     .value = "VIEW",
+                                     .help = "under which a texture is sampled (default: plane)"},
+                                    {0}};
+
+const bl_verb bl_verb_trade = {
+    .name = "trade",
+    .operands = "SUBJECT",
+    .summary = "cost against error of every alternative",
+    .text =
+        "SUBJECT is a noise, a primitive, a texture, or the word spectrum. For every choice that "
+        "it leaves, as the table of a kernel, the precision, the octaves or the filter, each "
+        "alternative is compared with the best that can be had and timed, all of them by turns "
+        "until the spread is known. A star marks those of the front: nothing else is both cheaper "
+        "and better, as far as the intervals tell.",
+    .least = 1,
+    .most = 1,
+    .output = BL_OUTPUT_FOLDER,
+    .output_help =
+        "the folder to write into: of each trade its table as CSV, and cost against "
+        "error as a plot",
+    .options = options,
+    .settings_size = sizeof(trade_options),
+    .run = run_trade,
+};
