@@ -150,18 +150,25 @@ double bl_student_quantile(double p, double nu) {
     return bisect_quantile(student_cdf, p, nu, low, 0);
 }
 
-bl_estimate bl_mean_estimate(const double *values, size_t n, double level) {
+bl_estimate bl_mean_estimate_missing(const double *values, size_t n, double missed) {
     bl_moments moments = {0};
     for (size_t i = 0; i < n; i++)
         bl_moments_add(&moments, values[i]);
     double half = NAN;
     if (n >= 2)
-        half = bl_student_quantile(0.5 + 0.5 * level, (double)n - 1) *
+        half = -bl_student_quantile(0.5 * missed, (double)n - 1) *
                sqrt(bl_moments_variance(&moments) / (double)n);
-    return (bl_estimate){moments.mean, moments.mean - half, moments.mean + half, level, (double)n};
+    return (bl_estimate){moments.mean, moments.mean - half, moments.mean + half, 1 - missed,
+                         (double)n};
 }
 
-bl_estimate bl_ratio_estimate(const double *a, const double *b, size_t n, double level) {
+bl_estimate bl_mean_estimate(const double *values, size_t n, double level) {
+    bl_estimate estimate = bl_mean_estimate_missing(values, n, 1 - level);
+    estimate.level = level; // to the last bit
+    return estimate;
+}
+
+bl_estimate bl_ratio_estimate_missing(const double *a, const double *b, size_t n, double missed) {
     double sum_a = 0, sum_b = 0, sum_residual = 0;
     for (size_t i = 0; i < n; i++) {
         sum_a += a[i];
@@ -173,10 +180,16 @@ bl_estimate bl_ratio_estimate(const double *a, const double *b, size_t n, double
         sum_residual += (a[i] - ratio * b[i]) * (a[i] - ratio * b[i]);
     if (n >= 2) {
         double count = (double)n;
-        half = bl_student_quantile(0.5 + 0.5 * level, count - 1) *
+        half = -bl_student_quantile(0.5 * missed, count - 1) *
                sqrt(sum_residual * count / (count - 1)) / fabs(sum_b);
     }
-    return (bl_estimate){ratio, ratio - half, ratio + half, level, (double)n};
+    return (bl_estimate){ratio, ratio - half, ratio + half, 1 - missed, (double)n};
+}
+
+bl_estimate bl_ratio_estimate(const double *a, const double *b, size_t n, double level) {
+    bl_estimate estimate = bl_ratio_estimate_missing(a, b, n, 1 - level);
+    estimate.level = level; // to the last bit
+    return estimate;
 }
 
 void bl_moments_add(bl_moments *moments, double x) {

@@ -32,6 +32,11 @@ bl_estimate bl_mean_estimate(const double *values, size_t n, double level);
 // the ratio (Student, n-1 degrees of freedom).
 bl_estimate bl_ratio_estimate(const double *a, const double *b, size_t n, double level);
 
+// The same from the probability `missed` that the interval misses the truth, on both sides
+// together: 1e-17 is a probability, and 1 - 1e-17 is 1.
+bl_estimate bl_mean_estimate_missing(const double *values, size_t n, double missed);
+bl_estimate bl_ratio_estimate_missing(const double *a, const double *b, size_t n, double missed);
+
 // Running moments to the fourth order, mergeable in a fixed order (Pebay 2008).
 typedef struct bl_moments {
     double n, mean, m2, m3, m4;

@@ -211,7 +211,7 @@ static void judge(bl_score_property *result, bl_psd *psd, const band_claim *clai
                        0.5 * psd->settings.rate, limit.from, limit.to);
         return;
     }
-    psd->settings.level = 1 - alpha;
+    limit.missed = alpha;
     bl_psd_band_limit(psd, &limit);
     judge_leak(result, psd, claim, &limit);
 }

@@ -154,7 +154,7 @@ static void take(const bl_signal *signal, const bl_score_look *look, bl_random r
     }
 }
 
-// The ratio of the two, at a level.
+// The ratio of the two, at the level that is shown and at the one that is judged.
 static bl_status variance_ratio(const bl_signal *signal, const bl_score_settings *settings,
                                 const bl_score_look *look, bl_estimate *shown, bl_estimate *judged,
                                 bl_message *message, bl_score_property *result) {
@@ -167,7 +167,7 @@ static bl_status variance_ratio(const bl_signal *signal, const bl_score_settings
         take(signal, look, bl_score_random(settings, BL_SCORE_STREAM_FAR, 1000 + i), &room[i],
              &room[count + i]);
     *shown = bl_ratio_estimate(room + count, room, count, settings->level);
-    *judged = bl_ratio_estimate(room + count, room, count, 1 - settings->alpha);
+    *judged = bl_ratio_estimate_missing(room + count, room, count, settings->alpha);
     free(room);
     return BL_OK;
 }

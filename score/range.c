@@ -176,17 +176,17 @@ static void find_extremes(const bl_signal *signal, int threads, block *blocks, s
 
 static void estimate_moments(const bl_signal *signal, const bl_score_settings *settings,
                              const block *blocks, double *values, size_t count, findings *found) {
-    double test = 1 - 0.5 * settings->alpha;
+    double missed = 0.5 * settings->alpha;
     for (size_t i = 0; i < count; i++)
         values[i] = blocks[i].mean;
     found->mean = bl_mean_estimate(values, count, settings->level);
-    found->mean_test = bl_mean_estimate(values, count, test);
+    found->mean_test = bl_mean_estimate_missing(values, count, missed);
     // The mean square stands about the stated mean, or about 0.
     double shift = isfinite(signal->facts.mean) ? 0 : found->mean.value;
     for (size_t i = 0; i < count; i++)
         values[i] = blocks[i].square - shift * (2 * blocks[i].mean - shift);
     found->variance = bl_mean_estimate(values, count, settings->level);
-    found->variance_test = bl_mean_estimate(values, count, test);
+    found->variance_test = bl_mean_estimate_missing(values, count, missed);
 }
 
 static bl_status look_in_blocks(const bl_signal *signal, const bl_score_settings *settings,
@@ -228,7 +228,8 @@ static bl_status look_on_grid(const bl_signal *signal, const bl_score_settings *
     wanted.threads = settings->threads;
     wanted.seed = settings->seed;
     for (int test = 0; test < 2; test++) { // the limits at the level shown, and at the test's
-        wanted.level = test ? 1 - 0.5 * settings->alpha : settings->level;
+        wanted.level = settings->level;
+        wanted.missed = test ? 0.5 * settings->alpha : 0;
         bl_status status = bl_histogram_measure(signal, &wanted, &histogram, message);
         if (status != BL_OK)
             return status;

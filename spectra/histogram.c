@@ -189,6 +189,10 @@ static bl_status check_settings(const bl_signal *signal, bl_histogram_settings *
         return bl_report(message, BL_USAGE,
                          "the confidence level is %g; give a number between 0 and 1, as 0.95",
                          settings->level);
+    if (!(settings->missed >= 0 && settings->missed < 1))
+        return bl_report(message, BL_USAGE,
+                         "the probability to miss is %g; give a number from 0 to below 1",
+                         settings->missed);
     if (!isfinite(settings->from) || !isfinite(settings->to) ||
         (settings->from >= settings->to && (settings->from != 0 || settings->to != 0)))
         return bl_report(message, BL_USAGE,

@@ -18,6 +18,7 @@ typedef struct bl_histogram_settings {
     double from, to; // 0, 0: the observed range
     uint64_t seed;
     double level;
+    double missed; // 0: 1 - level, which has no digits where it is small
     int threads;
 } bl_histogram_settings;
 
@@ -40,7 +41,8 @@ bl_histogram_settings bl_histogram_default_settings(void);
 
 // Measures the distribution of a signal's values. On success the caller frees the result with
 // bl_histogram_free; on failure there is nothing to free. The result does not depend on the number
-// of threads. Errors: BL_USAGE for no samples, an empty range or a level outside (0, 1);
+// of threads. Errors: BL_USAGE for no samples, an empty range, a level outside (0, 1)
+// or `missed` outside [0, 1);
 // BL_MISMATCH for a value that is not finite (the message says where) and for more than the memory
 // holds; BL_DEVICE out of memory. Thread-safe.
 bl_status bl_histogram_measure(const bl_signal *signal, const bl_histogram_settings *settings,

@@ -11,6 +11,11 @@
 static const double probabilities[BL_QUANTILES] = {0.001, 0.01, 0.05, 0.25, 0.5,
                                                    0.75,  0.95, 0.99, 0.999};
 
+// The probability that an interval misses the truth, with all its digits.
+static double missed(const bl_sampling *s) {
+    return s->settings.missed > 0 ? s->settings.missed : 1 - s->settings.level;
+}
+
 // Weighted by their counts, blocks of a grid differ by a sample a side at most.
 static void fill_moments(const bl_sampling *s, bl_histogram *h, double *means, double *squares) {
     for (size_t block = 0; block < s->blocks; block++)
@@ -21,8 +26,8 @@ static void fill_moments(const bl_sampling *s, bl_histogram *h, double *means, d
         means[block] = m->mean;
         squares[block] = m->m2 / m->n + off * off;
     }
-    h->mean = bl_mean_estimate(means, s->blocks, s->settings.level);
-    h->variance = bl_mean_estimate(squares, s->blocks, s->settings.level);
+    h->mean = bl_mean_estimate_missing(means, s->blocks, missed(s));
+    h->variance = bl_mean_estimate_missing(squares, s->blocks, missed(s));
     // The centres are those of all samples; around them the spread of the blocks.
     double shift = h->moments.mean - h->mean.value;
     h->mean = (bl_estimate){h->moments.mean, h->mean.lower + shift, h->mean.upper + shift,
@@ -142,14 +147,14 @@ static double at_rank(const uint32_t *sorted, size_t count, double rank) {
 
 static void fill_quantile(const bl_sampling *s, const uint32_t *sorted, double p,
                           bl_estimate *quantile) {
-    double n = (double)s->samples, level = s->settings.level;
+    double n = (double)s->samples;
     double value = at_rank(sorted, s->samples, ceil(n * p) - 1);
     double independent = independent_samples(s, (float)value, p);
-    double reach = bl_normal_quantile(0.5 + 0.5 * level) * sqrt(p * (1 - p) / independent) * n;
+    double reach = -bl_normal_quantile(0.5 * missed(s)) * sqrt(p * (1 - p) / independent) * n;
     quantile->value = value;
     quantile->lower = at_rank(sorted, s->samples, floor(n * p - reach) - 1);
     quantile->upper = at_rank(sorted, s->samples, ceil(n * p + reach));
-    quantile->level = level;
+    quantile->level = 1 - missed(s);
     quantile->samples = independent;
 }
 

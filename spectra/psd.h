@@ -117,13 +117,15 @@ void bl_psd_band(const bl_psd *psd, bl_band *band);
 typedef struct bl_band_limit {
     double from, to, limit_db;
     double guard;                       // cycles per unit beyond both edges that are not judged
+    double missed;                      // by each one-sided limit, a probability; 0: 1 - the level
     double leak_db, lower_db, upper_db; // share outside [from, to], dB of the variance
     size_t needed_averages;             // that would settle an inconclusive verdict; else 0, as
                                         // where the averages are alike
     bl_status verdict;                  // BL_OK, BL_INCONCLUSIVE or BL_FAIL
 } bl_band_limit;
 
-// One-sided limits each at the level of the settings. Fills all but from, to, limit_db and guard.
+// One-sided limits each at the level of the settings, or that miss with the probability `missed`,
+// for levels that double cannot tell from 1. Fills what stands below these inputs.
 // No leak at all is -INFINITY dB.
 void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit);
 

@@ -51,7 +51,7 @@ static double invert_logit(double x) {
 
 // The interval from the degrees of freedom of the bins, for few averages.
 static bl_estimate share_by_freedom(const bl_psd *psd, double from, double to, int outside,
-                                    double level) {
+                                    double missed) {
     double averages = (double)psd->settings.averages, in = 0, out = 0, var_in = 0, var_out = 0;
     for (size_t bin = 0; bin <= psd->count; bin++) {
         double power = 0, part = share(psd, bin, from, to), cells = cells_of(psd, bin);
@@ -68,7 +68,7 @@ static bl_estimate share_by_freedom(const bl_psd *psd, double from, double to, i
         var_in += part * part * variance;
         var_out += (1 - part) * (1 - part) * variance;
     }
-    bl_estimate estimate = {0, 0, 0, level, averages};
+    bl_estimate estimate = {0, 0, 0, 1 - missed, averages};
     if (!(in > 0))
         return estimate;
     if (!(out > 0)) {
@@ -77,20 +77,21 @@ static bl_estimate share_by_freedom(const bl_psd *psd, double from, double to, i
     }
     double f = in / (in + out);
     double spread = sqrt((1 - f) * (1 - f) * var_in + f * f * var_out) / (in + out);
-    double logit = log(in / out), reach = bl_normal_quantile(0.5 + 0.5 * level) * spread;
+    double logit = log(in / out), reach = -bl_normal_quantile(0.5 * missed) * spread;
     estimate.value = f;
     estimate.lower = invert_logit(logit - reach / (f * (1 - f)));
     estimate.upper = invert_logit(logit + reach / (f * (1 - f)));
     return estimate;
 }
 
-// The share in the band or outside of it, with its interval.
+// The share in the band or outside of it, with its interval, which misses the truth with the
+// probability `missed`, on both sides together.
 static bl_estimate share_estimate(const bl_psd *psd, double from, double to, int outside,
-                                  double level) {
+                                  double missed) {
     size_t averages = psd->settings.averages, stride = psd->count + 1;
     double *pairs = averages >= 4 ? calloc(2 * averages, sizeof *pairs) : NULL;
     if (!pairs) // few averages; or no memory for the better way
-        return share_by_freedom(psd, from, to, outside, level);
+        return share_by_freedom(psd, from, to, outside, missed);
     double whole = 0, part_sum = 0;
     for (size_t bin = 0; bin <= psd->count; bin++) {
         double part = share(psd, bin, from, to);
@@ -103,14 +104,14 @@ static bl_estimate share_estimate(const bl_psd *psd, double from, double to, int
             whole += power;
         }
     }
-    bl_estimate estimate = {0, 0, 0, level, (double)averages};
+    bl_estimate estimate = {0, 0, 0, 1 - missed, (double)averages};
     if (whole > 0 && part_sum > 0) {
-        estimate = bl_ratio_estimate(pairs, pairs + averages, averages, level);
+        estimate = bl_ratio_estimate_missing(pairs, pairs + averages, averages, missed);
         double widen = sqrt(psd->correlation), value = estimate.value;
         estimate.lower = fmax(0, value - widen * (value - estimate.lower));
         estimate.upper = fmin(1, value + widen * (estimate.upper - value));
         if (psd->alike > 0) {
-            bl_estimate freedom = share_by_freedom(psd, from, to, outside, level);
+            bl_estimate freedom = share_by_freedom(psd, from, to, outside, missed);
             estimate.lower = fmin(estimate.lower, freedom.lower);
             estimate.upper = fmax(estimate.upper, freedom.upper);
         }
@@ -120,7 +121,7 @@ static bl_estimate share_estimate(const bl_psd *psd, double from, double to, int
 }
 
 void bl_psd_band(const bl_psd *psd, bl_band *band) {
-    band->fraction = share_estimate(psd, band->from, band->to, 0, psd->settings.level);
+    band->fraction = share_estimate(psd, band->from, band->to, 0, 1 - psd->settings.level);
     band->theory = NAN;
     if (!psd->theory)
         return;
@@ -150,10 +151,10 @@ double bl_psd_guard(const bl_psd *psd) {
 }
 
 void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit) {
-    // A one-sided limit at level L is the end of the two-sided interval at 2L - 1.
-    double two_sided = fmax(2 * psd->settings.level - 1, 1e-9);
-    bl_estimate leak =
-        share_estimate(psd, limit->from - limit->guard, limit->to + limit->guard, 1, two_sided);
+    // A limit that misses on its one side is the end of an interval that misses on both.
+    double missed = limit->missed > 0 ? limit->missed : 1 - psd->settings.level;
+    bl_estimate leak = share_estimate(psd, limit->from - limit->guard, limit->to + limit->guard, 1,
+                                      fmin(2 * missed, 1 - 1e-9));
     limit->leak_db = decibel(leak.value);
     limit->lower_db = decibel(leak.lower);
     limit->upper_db = decibel(leak.upper);

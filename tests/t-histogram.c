@@ -233,6 +233,9 @@ static void test_what_cannot_be_counted_is_refused(void **state) {
     settings = good;
     settings.level = 1;
     refuse(white, settings, BL_USAGE, "level");
+    settings = good;
+    settings.missed = 1;
+    refuse(white, settings, BL_USAGE, "miss");
     bl_signal_free(white);
     bl_signal_free(broken);
 }

@@ -65,15 +65,16 @@ static unsigned check(const char *text, const char *name) {
     return failures;
 }
 
-// One property of a setting, the next of the next. SCALE 8 takes all of them.
+// One property of a setting, the next of the next. SCALE 8 takes all of them; below SCALE 1 every
+// sixteenth setting is left.
 static void test_no_setting_of_a_noise_fails_a_claim(void **state) {
     (void)state;
     const bl_texts *texts = bl_test_texts();
-    size_t each = bl_test_scaled(1, 1);
+    size_t each = bl_test_scaled(1, 1), stride = bl_test_scaled(16, 0) >= 16 ? 1 : 16;
     unsigned failures = 0;
-    for (size_t i = 0; i < texts->count; i++)
+    for (size_t i = 0; i < texts->count; i += stride)
         for (size_t k = 0; k < each && k < COUNT; k++)
-            failures += check(texts->text[i], names[(i + k) % COUNT]);
+            failures += check(texts->text[i], names[(i / stride + k) % COUNT]);
     assert_int_equal(failures, 0);
 }
 

@@ -10,6 +10,7 @@
 #include "noises/noise.h"
 #include "score/score.h"
 #include "spectra/psd.h"
+#include "tests/broken.h"
 #include "tests/test_signals.h"
 
 static bl_signal *open_noise(const char *text) {
@@ -328,6 +329,36 @@ static void test_the_level_of_a_refuted_mean_is_told_by_what_it_misses(void **st
     bl_score_property result = measure("range", noise);
     expect(&result, "mean", BL_SCORE_FAIL, "at the level 1 - 5e-10");
     bl_signal_free(noise);
+}
+
+// 1 - 1e-20 is 1, whose interval holds everything: a property works with what its tests miss.
+static void test_a_share_of_alpha_below_the_digits_of_1_still_fails(void **state) {
+    (void)state;
+    const bl_score_settings tiny = quick(1e-20);
+    bl_signal *noise = open_noise("gnoise"), *far = bl_broken_signal(BL_BROKEN_FAR_GAIN),
+              *image = bl_test_white_image(1, 96, 64, 0.125);
+    const bl_score_subject of_noise = {.signal = noise}, of_far = {.signal = far},
+                           of_image = {.signal = image};
+    noise->facts.leak_db -= 20;
+    bl_score_property result = measure_subject("band", &of_noise, &tiny);
+    expect(&result, "leak", BL_SCORE_FAIL, "the claim");
+    noise->facts.mean = 0.3;
+    result = measure_subject("range", &of_noise, &tiny);
+    assert_int_equal(claim_of(&result, "mean"), BL_SCORE_FAIL);
+    noise->facts.mean = 0;
+    noise->facts.variance *= 3;
+    result = measure_subject("range", &of_noise, &tiny);
+    assert_int_equal(claim_of(&result, "mean"), BL_SCORE_PASS);
+    assert_int_equal(claim_of(&result, "variance"), BL_SCORE_FAIL);
+    result = measure_subject("far", &of_far, &tiny);
+    expect(&result, "far", BL_SCORE_FAIL, "the variance near 1e6");
+    image->facts.mean = 1;
+    result = measure_subject("range", &of_image, &tiny);
+    expect(&result, "image", BL_SCORE_FAIL, "is not the stated");
+    image->facts.mean = 0;
+    result = measure_subject("range", &of_image, &tiny);
+    assert_int_not_equal(claim_of(&result, "mean"), BL_SCORE_FAIL);
+    bl_signal_free(noise), bl_signal_free(far), bl_signal_free(image);
 }
 
 // The ideal range is [-1, 1] to rounding, on both sides.
@@ -694,6 +725,7 @@ int main(void) {
         cmocka_unit_test(test_another_instruction_set_with_other_bits_is_caught),
         cmocka_unit_test(test_a_wrong_range_mean_and_variance_are_caught),
         cmocka_unit_test(test_the_level_of_a_refuted_mean_is_told_by_what_it_misses),
+        cmocka_unit_test(test_a_share_of_alpha_below_the_digits_of_1_still_fails),
         cmocka_unit_test(test_the_ideal_range_ends_at_one),
         cmocka_unit_test(test_what_is_known_too_coarsely_is_inconclusive),
         cmocka_unit_test(test_a_claimed_leak_is_judged_by_its_limits),

@@ -102,6 +102,40 @@ static void test_intervals_cover_the_truth_at_their_level(void **state) {
     assert_near((double)ratio_hits / (double)repeats, 0.95, limit + 0.005);
 }
 
+// 1e-20 has no level that is a double below 1. The t-distribution gives the probability back.
+static void test_an_interval_may_miss_less_than_a_level_can_say(void **state) {
+    (void)state;
+    enum { MOST = 25 }; // beyond 30 degrees of freedom GSL takes an approximation
+    static const double all_missed[] = {0.05, 1e-9, 1e-15, 1e-20, 1e-60};
+    double a[MOST], b[MOST];
+    bl_random random = bl_random_seed(5, 6);
+    for (int i = 0; i < MOST; i++) {
+        a[i] = 3 + bl_random_normal(&random);
+        b[i] = 1; // so that the ratio is the mean
+    }
+    for (size_t n = 5; n <= MOST; n += 20)
+        for (size_t i = 0; i < sizeof all_missed / sizeof *all_missed; i++) {
+            double missed = all_missed[i], mean = 0, square = 0;
+            for (size_t k = 0; k < n; k++)
+                mean += a[k] / (double)n;
+            for (size_t k = 0; k < n; k++)
+                square += (a[k] - mean) * (a[k] - mean) / (double)(n - 1);
+            double error = sqrt(square / (double)n);
+            const bl_estimate both[] = {bl_mean_estimate_missing(a, n, missed),
+                                        bl_ratio_estimate_missing(a, b, n, missed)};
+            for (int e = 0; e < 2; e++) {
+                double t = (both[e].upper - both[e].value) / error;
+                assert_near(2 * gsl_cdf_tdist_Q(t, (double)n - 1) / missed, 1, 1e-8);
+                assert_near(both[e].value - both[e].lower, t * error, 1e-12 * t);
+            }
+        }
+    // The two ways to say it agree.
+    bl_estimate level = bl_mean_estimate(a, MOST, 0.95),
+                missing = bl_mean_estimate_missing(a, MOST, 0.05);
+    assert_near(level.upper, missing.upper, 1e-12);
+    assert_true(level.level == 0.95);
+}
+
 static void test_one_value_has_no_interval(void **state) {
     (void)state;
     double one = 4;
@@ -116,6 +150,7 @@ int main(void) {
         cmocka_unit_test(test_student_quantiles_are_undone_by_gsl),
         cmocka_unit_test(test_moments_do_not_depend_on_how_they_are_merged),
         cmocka_unit_test(test_intervals_cover_the_truth_at_their_level),
+        cmocka_unit_test(test_an_interval_may_miss_less_than_a_level_can_say),
         cmocka_unit_test(test_one_value_has_no_interval),
     };
     return bl_run_tests(tests);

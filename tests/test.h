@@ -24,10 +24,10 @@ static inline size_t bl_test_scaled(size_t count, size_t least) {
     return scaled > (double)least ? (size_t)scaled : least;
 }
 
-// Whether a walk over all settings takes this one: with SCALE below 1 every fourth, and the defaults
-// of each noise. For tests whose settings do not share random numbers.
+// Whether a walk over all settings takes this one: with SCALE below 1 every sixteenth, and the
+// defaults of each noise. For tests whose settings do not share random numbers.
 static inline int bl_test_takes(size_t index, const char *text) {
-    return bl_test_scaled(8, 0) >= 8 || index % 4 == 0 || !strchr(text, ':');
+    return bl_test_scaled(8, 0) >= 8 || index % 16 == 0 || !strchr(text, ':');
 }
 
 // A stream of random numbers for a text: it stays when another noise is registered.
