@@ -16,7 +16,7 @@
 #include "core/random.h"
 #include "textures/texture.h"
 
-enum { FINE_GRID = 2048, REPLICATES_MOST = 64, TIMED = 256, PILOT_SAMPLES = 64 };
+enum { FINE_GRID = 2048, REPLICATES_MOST = 64, TIMED = 256, PILOT_SAMPLES = 32 };
 
 // Everything that is measured together.
 typedef struct measurement {
@@ -40,7 +40,7 @@ bl_alias_settings bl_alias_default_settings(void) {
                                .frames = 8,
                                .rounds = 9,
                                .turn_seconds = 2e-3,
-                               .most_samples = 1024,
+                               .most_samples = 512,
                                .level = 0.95,
                                .seed = 1};
 }

@@ -50,8 +50,8 @@ typedef struct bl_alias_row {
     double max_error;
     double predicted_alias, predicted_blur; // of a stationary signal seen flat; NAN: none
     double first_alias;                     // cycles per pixel of the strongest alias; NAN
-    double pops;    // largest change of the rms error from one frame of a slow zoom to the next
-    double samples; // of the signal, a pixel
+    double pops;                            // sudden changes in a slow zoom (aliasing/flicker.h)
+    double samples;                         // of the signal, a pixel
     double ns_per_sample, ns_lowest, ns_highest; // of a pixel: median, least and most
     double *image; // linear red, green and blue of each pixel; owned by the result
 } bl_alias_row;

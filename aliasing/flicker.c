@@ -8,7 +8,7 @@
 #include "core/grid.h"
 #include "textures/texture.h"
 
-enum { POP_FRAMES = 4 }; // times the frames of flicker
+enum { POP_FRAMES = 8 }; // times the frames of flicker
 
 // The errors of one frame: errors[m * pixels + p], and the variance of the reference at each pixel.
 typedef struct moving_picture {
@@ -17,14 +17,16 @@ typedef struct moving_picture {
     size_t count, pixels; // pixels: all of them
     const bl_flicker_settings *settings;
     double *error, *before, *noise;
+    double spread;       // share of the image that the pixels are taken from, about its middle
     bl_moments *moments; // of each method's pixel
 } moving_picture;
 
 static void show_pixel(const moving_picture *picture, const bl_view *view, size_t p) {
     size_t side = picture->settings->pixels;
     // The middles of equal parts of the image, on centres of pixels.
-    double x = floor(((double)(p % side) + 0.5) / (double)side * (double)view->width) + 0.5;
-    double y = floor(((double)(p / side) + 0.5) / (double)side * (double)view->height) + 0.5;
+    double u = 0.5 + picture->spread * (((double)(p % side) + 0.5) / (double)side - 0.5);
+    double v = 0.5 + picture->spread * (((double)(p / side) + 0.5) / (double)side - 0.5);
+    double x = floor(u * (double)view->width) + 0.5, y = floor(v * (double)view->height) + 0.5;
     double rgb[3];
     bl_scene scene = *picture->scene;
     scene.view = view;
@@ -77,24 +79,44 @@ static void add_variance(moving_picture *picture, int zooms, double *columns) {
             share * bl_moments_variance(&picture->moments[i]);
 }
 
-// The largest rms change between neighbouring frames of a zoom by a factor of 2.
-static void find_pops(moving_picture *picture, bl_flicker *results) {
-    const unsigned frames = POP_FRAMES * picture->settings->frames;
-    for (unsigned t = 0; t <= frames; t++) {
-        double *swap = picture->before;
-        picture->before = picture->error;
-        picture->error = swap;
-        show_frame(picture, 0, 0, exp2((double)t / frames));
-        for (size_t m = 0; m < picture->count && t > 0; m++) {
-            double sum = 0;
-            for (size_t p = 0; p < picture->pixels; p++) {
-                size_t i = m * picture->pixels + p;
-                double change = picture->error[i] - picture->before[i];
-                sum += change * change / (double)picture->pixels;
-            }
-            results[m].pops = fmax(results[m].pops, sqrt(sum));
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+// Fills the rms change of each method's error between the frames t - 1 and t of the zoom.
+static void change_frame(moving_picture *picture, unsigned t, unsigned frames, double *changes) {
+    double *swap = picture->before;
+    picture->before = picture->error;
+    picture->error = swap;
+    show_frame(picture, 0, 0, exp2((double)t / frames));
+    for (size_t m = 0; m < picture->count && t > 0; m++) {
+        double sum = 0;
+        for (size_t p = 0; p < picture->pixels; p++) {
+            size_t i = m * picture->pixels + p;
+            double change = picture->error[i] - picture->before[i];
+            sum += change * change / (double)picture->pixels;
         }
+        changes[m * frames + t - 1] = sqrt(sum);
     }
+}
+
+static bl_status find_pops(moving_picture *picture, bl_flicker *results, bl_message *message) {
+    const unsigned frames = POP_FRAMES * picture->settings->frames;
+    double *changes = malloc(picture->count * frames * sizeof *changes);
+    if (!changes)
+        return bl_report(message, BL_DEVICE, "out of memory for moving pictures");
+    picture->spread = 0.5;
+    for (unsigned t = 0; t <= frames; t++)
+        change_frame(picture, t, frames, changes);
+    for (size_t m = 0; m < picture->count; m++) {
+        double *own = changes + m * frames;
+        qsort(own, frames, sizeof *own, ascending);
+        double largest = own[frames - 1], median = own[frames / 2];
+        results[m].pops = sqrt(largest * largest - median * median);
+    }
+    free(changes);
+    return BL_OK;
 }
 
 bl_status bl_flicker_measure(const bl_scene *scene, const bl_scene_method *methods, size_t count,
@@ -102,7 +124,7 @@ bl_status bl_flicker_measure(const bl_scene *scene, const bl_scene_method *metho
                              bl_message *message) {
     const size_t side = settings->pixels, pixels = side * side;
     double *room = calloc(2 * count * pixels + pixels + count * side, sizeof *room);
-    moving_picture picture = {scene, methods, count, pixels, settings, .error = room};
+    moving_picture picture = {scene, methods, count, pixels, settings, .error = room, .spread = 1};
     picture.moments = malloc(count * pixels * sizeof *picture.moments);
     if (!room || !picture.moments) {
         free(room);
@@ -116,8 +138,8 @@ bl_status bl_flicker_measure(const bl_scene *scene, const bl_scene_method *metho
     add_variance(&picture, 1, columns);
     for (size_t m = 0; m < count; m++)
         results[m] = (bl_flicker){bl_mean_estimate(columns + m * side, side, settings->level), 0};
-    find_pops(&picture, results);
+    bl_status status = find_pops(&picture, results, message);
     free(room);
     free(picture.moments);
-    return BL_OK;
+    return status;
 }

@@ -4,9 +4,12 @@
 //
 // Flicker is the variance over time of the error of a pixel, averaged over pixels: while the view
 // pans by a pixel in sub-pixel steps, and while it zooms until its corners have moved by about one.
-// What should stay constant is the error, 0; a constant error (blur) does not flicker. Pops are the
-// largest rms change of the error from one frame to the next while the view zooms by a factor of 2
-// in four times as many steps: an octave that is cut off at once shows there.
+// What should stay constant is the error, 0; a constant error (blur) does not flicker.
+//
+// Pops are sudden changes while the view zooms by a factor of 2 in eight times as many steps, in
+// the middle half of the image, where little moves: of the rms change of the error from one frame
+// to the next, the largest beyond the median, sqrt(largest^2 - median^2). An octave that is cut off
+// at once shows there with its whole standard deviation.
 #ifndef BL_ALIASING_FLICKER_H
 #define BL_ALIASING_FLICKER_H
 

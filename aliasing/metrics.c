@@ -10,8 +10,8 @@ bl_image_error bl_image_compare(const double *image, const double *reference, si
     for (size_t i = 0; i < count; i++) {
         double difference = fabs(image[i] - reference[i]);
         error.mse += difference * difference;
-        // Written so that a NaN stays.
-        error.largest = difference <= error.largest ? error.largest : difference;
+        if (isnan(difference) || difference > error.largest)
+            error.largest = isnan(error.largest) ? error.largest : difference;
     }
     error.mse /= (double)count;
     return error;

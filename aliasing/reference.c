@@ -12,7 +12,7 @@
 #include "core/statistics.h"
 #include "textures/texture.h"
 
-enum { SEQUENCES = 4, PILOT = 32, ROUNDS = 4 };
+enum { SEQUENCES = 4, PILOT = 32, ROUNDS = 4, BATCH = 128 };
 
 const char *const bl_pixel_words[] = {"box", "gaussian", NULL};
 
@@ -20,19 +20,51 @@ static double pixel_offset(bl_pixel pixel, double place) {
     return pixel == BL_PIXEL_BOX ? place - 0.5 : 0.5 * bl_normal_quantile(place + 0x1p-33);
 }
 
+// The sum of the colours at many places: in rows of floats where the signal has them and no colour,
+// whose rounding (2^-24 of a value) is far below what is converged to.
+static void add_colours(const bl_scene *scene, const double (*place)[2], size_t count,
+                        double sum[3]) {
+    double at[BL_AXES][BATCH], rgb[3];
+    float out[BATCH];
+    size_t seen = 0;
+    if (scene->signal->functions->colour || !scene->signal->functions->points) {
+        for (size_t i = 0; i < count; i++) {
+            bl_scene_point(scene, place[i][0], place[i][1], rgb);
+            for (int c = 0; c < 3; c++)
+                sum[c] += rgb[c];
+        }
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        bl_sight sight;
+        int sees = bl_view_see(scene->view, place[i][0], place[i][1], &sight);
+        for (int a = 0; a < BL_AXES && sees; a++)
+            at[a][seen] = sight.at[a];
+        seen += sees != 0;
+    }
+    bl_signal_points(scene->signal, (const double *const[]){at[0], at[1], at[2], at[3]}, seen, out);
+    for (int c = 0; c < 3; c++) {
+        for (size_t i = 0; i < seen; i++)
+            sum[c] += (double)out[i];
+        sum[c] += (double)(count - seen) * scene->background[c];
+    }
+}
+
 void bl_reference_pixel(const bl_scene *scene, bl_pixel pixel, double x, double y, uint32_t samples,
                         uint64_t key, double rgb[3], double *variance) {
     bl_moments moments = {0};
-    double sum[3] = {0, 0, 0};
+    double sum[3] = {0, 0, 0}, place[BATCH][2];
     for (uint64_t s = 0; s < SEQUENCES; s++) {
-        double part[3] = {0, 0, 0}, place[2], colour[3];
+        double part[3] = {0, 0, 0};
         uint64_t own = bl_stream(key, s);
-        for (uint32_t i = 0; i < samples; i++) {
-            bl_sobol_place(i, own, place);
-            bl_scene_point(scene, x + pixel_offset(pixel, place[0]),
-                           y + pixel_offset(pixel, place[1]), colour);
-            for (int c = 0; c < 3; c++)
-                part[c] += colour[c];
+        for (uint32_t done = 0, count; done < samples; done += count) {
+            count = samples - done < BATCH ? samples - done : BATCH;
+            for (uint32_t i = 0; i < count; i++) {
+                bl_sobol_place(done + i, own, place[i]);
+                place[i][0] = x + pixel_offset(pixel, place[i][0]);
+                place[i][1] = y + pixel_offset(pixel, place[i][1]);
+            }
+            add_colours(scene, (const double(*)[2])place, count, part);
         }
         for (int c = 0; c < 3; c++) {
             part[c] /= samples;
@@ -78,18 +110,21 @@ static double error_about(const bl_reference *reference, size_t i, size_t j) {
     return most;
 }
 
-// The error of a randomised sequence falls at least as the root of its length; at edges as its 3/4
-// power.
-static void plan_round(const bl_reference *reference, double target, uint32_t most,
-                       uint32_t *samples) {
+// Doubles what is wanted: the error of a randomised sequence falls at least as the root of its
+// length; at edges as its 3/4 power. False if all is spent.
+static int plan_round(const bl_reference *reference, double target, uint32_t most,
+                      uint32_t *samples) {
+    int grown = 0;
     for (size_t j = 0; j < reference->height; j++)
         for (size_t i = 0; i < reference->width; i++) {
-            uint32_t *n = &samples[j * reference->width + i];
+            uint32_t *n = &samples[j * reference->width + i], before = *n;
             double ratio = target > 0 ? error_about(reference, i, j) / target : INFINITY;
             double wanted = *n * pow(fmin(fmax(ratio, 1), 1e9), 4.0 / 3);
             while (*n < most && *n < wanted)
                 *n *= 2; // whole powers of two keep the strata whole
+            grown = grown || *n > before;
         }
+    return grown;
 }
 
 static void converge(const bl_scene *scene, const bl_reference_settings *settings,
@@ -98,13 +133,10 @@ static void converge(const bl_scene *scene, const bl_reference_settings *setting
     for (size_t p = 0; p < reference->width * reference->height; p++)
         samples[p] = PILOT;
     run_round(scene, settings, samples, 0, reference);
-    for (uint64_t round = 1; round <= ROUNDS && reference->rms_error > settings->tolerance;
+    for (uint64_t round = 1; round <= ROUNDS && reference->rms_error > settings->tolerance &&
+                             plan_round(reference, target, settings->most_samples, samples);
          round++) {
-        plan_round(reference, target, settings->most_samples, samples);
-        double before = reference->rms_error;
         run_round(scene, settings, samples, round, reference);
-        if (reference->rms_error > 0.9 * before)
-            break; // all that is allowed is spent
         target *= fmin(1, 0.9 * settings->tolerance / reference->rms_error);
     }
 }

@@ -86,9 +86,9 @@ static bl_alias_settings settings_of(const bl_call *call) {
         settings.replicates = 3;
         settings.finest = 8;
         settings.frames = 4;
-        settings.rounds = 5;
-        settings.turn_seconds = 5e-4;
-        settings.most_samples = 256;
+        settings.rounds = 15;
+        settings.turn_seconds = 2e-4;
+        settings.most_samples = 64;
     } else if (call->common.full) {
         settings.replicates = 16;
         settings.frames = 16;
@@ -203,7 +203,8 @@ static bl_status run_alias(bl_call *call) {
     size_t size[2] = {0, 0};
     bl_view view;
     bl_signal *signal;
-    bl_status status = read_size(options->size, size, &call->message);
+    const char *usual_size = call->common.quick ? "64x64" : "128x128";
+    bl_status status = read_size(options->size ? options->size : usual_size, size, &call->message);
     if (status == BL_OK)
         status = bl_view_open(options->view, size[0], size[1], &view, &call->message);
     if (status != BL_OK)
@@ -237,8 +238,7 @@ static const bl_option options[] = {
      .kind = BL_OPTION_WORD,
      .offset = AT(size),
      .value = "WxH",
-     .fallback = "128x128",
-     .help = "pixels of the image (default: 128x128)"},
+     .help = "pixels of the image (default: 128x128; --quick 64x64)"},
     {.name = "pixel",
      .kind = BL_OPTION_CHOICE,
      .offset = AT(pixel),

@@ -28,6 +28,7 @@ typedef struct slice_view {
     double centre[BL_AXES], normal[3];
     double black, white;
     size_t components;
+    int colour; // three components of one signal, linear red, green and blue
 } slice_view;
 
 static int is_png(const char *path) {
@@ -47,7 +48,13 @@ static bl_status check_ending(const char *path, bl_message *message) {
                      "-o %s: the ending names the format; use .exr, .png, .tif or .tiff", path);
 }
 
-// The defaults of an image are its own pixels; of a noise, 512 x 512 pixels over 16 cells.
+// What the definition of the signal says of a picture of it; nothing for files and the user's own.
+static bl_picture picture_of(const bl_signal *signal) {
+    return signal->definition ? signal->definition->picture : (bl_picture){0};
+}
+
+// The defaults of an image are its own pixels; of a noise, 512 x 512 pixels over 16 cells; a
+// texture says itself how much of it makes a picture.
 static void settle_size(const render_settings *settings, const bl_signal *signal,
                         slice_view *view) {
     const bl_extent *extent = &signal->extent;
@@ -55,10 +62,13 @@ static void settle_size(const render_settings *settings, const bl_signal *signal
     int sampled = extent->size[0] && extent->size[1];
     view->grid.width = width ? width : height ? height : sampled ? extent->size[0] : 512;
     view->grid.height = height ? height : width ? width : sampled ? extent->size[1] : 512;
-    double across = settings->scale > 0 ? settings->scale
-                    : sampled           ? (double)extent->size[0] * extent->spacing[0]
-                                        : 16;
+    double across = settings->scale > 0            ? settings->scale
+                    : sampled                      ? (double)extent->size[0] * extent->spacing[0]
+                    : picture_of(signal).scale > 0 ? picture_of(signal).scale
+                                                   : 16;
     view->spacing = across / (double)view->grid.width;
+    for (int a = 0; a < BL_AXES; a++)
+        view->centre[a] = picture_of(signal).at[a];
     if (sampled)
         for (int a = 0; a < 2; a++)
             view->centre[a] = 0.5 * ((double)extent->size[a] - 1) * extent->spacing[a];
@@ -80,15 +90,15 @@ static bl_status settle_plane(const bl_signal *signal, slice_view *view, bl_mess
     return BL_OK;
 }
 
-// Black and white, unless they are given. A bound about 1 is shown as -1:1, so that pictures of
-// most noises compare. A bound is what cannot be exceeded, which for sums of many terms lies far
-// from what is: those are shown to four deviations from the mean.
+// Black and white, unless they are given. Textures are 0 to 1. A bound about 1 is shown as -1:1, so
+// that pictures of most noises compare. A bound is what cannot be exceeded, which for sums of many
+// terms lies far from what is: those are shown to four deviations from the mean.
 static void settle_range(const bl_signal *signal, slice_view *view) {
     const bl_facts *facts = &signal->facts;
     double lower = facts->lower, upper = facts->upper, size = fmax(fabs(lower), fabs(upper));
-    view->black = -1;
+    view->black = signal->functions->colour ? 0 : -1;
     view->white = 1;
-    if (!isfinite(lower) || !isfinite(upper) || !(lower < upper))
+    if (signal->functions->colour || !isfinite(lower) || !isfinite(upper) || !(lower < upper))
         return;
     if (lower < 0 && size >= 0.5 && size <= 2)
         return;
@@ -104,7 +114,21 @@ static void settle_range(const bl_signal *signal, slice_view *view) {
 static bl_status settle_view(bl_call *call, const bl_signal *signal, slice_view *view) {
     const render_settings *settings = call->settings;
     bl_status status = BL_OK;
-    *view = (slice_view){.normal = {0, 0, 1}, .components = settings->components};
+    const bl_picture picture = picture_of(signal);
+    // A component that is named is a grey value as any other; noise.component= is none of these.
+    const char *text = call->operands.words[0];
+    int colour =
+        signal->functions->colour && !strstr(text, ":component=") && !strstr(text, ",component=");
+    *view = (slice_view){
+        .normal = {0, 0, 1}, .components = colour ? 3 : settings->components, .colour = colour};
+    if (colour && settings->components > 1)
+        return bl_report(
+            &call->message, BL_MISMATCH,
+            "--components %d: '%s' has a colour of its own; name one of its components "
+            "with component= to draw others of its kind",
+            (int)settings->components, signal->text);
+    if (picture.normal[0] != 0 || picture.normal[1] != 0 || picture.normal[2] != 0)
+        memcpy(view->normal, picture.normal, sizeof view->normal);
     settle_size(settings, signal, view);
     settle_range(signal, view);
     if (settings->at)
@@ -159,6 +183,8 @@ static void report(bl_call *call, const bl_signal *signal, const slice_view *vie
             bl_json_set_numbers(object, "range", range, 2);
             bl_json_set_count(object, "clipped", outcome->clipped);
         }
+        if (signal->functions->colour)
+            bl_json_set_text(object, "colour", view->colour ? "linear sRGB" : "none");
         return;
     }
     if (call->common.quiet)
@@ -171,8 +197,9 @@ static void report(bl_call *call, const bl_signal *signal, const slice_view *vie
     bl_plain_number(call->out, outcome->maximum, 6);
     fputc('\n', call->out);
     if (is_png(call->path))
-        fprintf(call->out, "black is %g, white is %g; %zu value%s clipped\n", view->black + 0.0,
-                view->white + 0.0, outcome->clipped, outcome->clipped == 1 ? " was" : "s were");
+        fprintf(call->out, "black is %g, white is %g%s; %zu value%s clipped\n", view->black + 0.0,
+                view->white + 0.0, view->colour ? ", on the curve of sRGB" : "", outcome->clipped,
+                outcome->clipped == 1 ? " was" : "s were");
     size_t missing = count - outcome->finite;
     if (missing && view->components > 1)
         fprintf(call->out, "%zu of %zu values %s missing\n", missing, count,
@@ -205,6 +232,7 @@ static bl_status write_image(bl_call *call, const bl_signal *signal, const slice
                             .black = view->black,
                             .white = view->white,
                             .bits = strcmp(settings->bits, "16") == 0 ? 16 : 8,
+                            .srgb = view->colour,
                             .attributes = attributes,
                             .attribute_count = sizeof attributes / sizeof *attributes};
     return bl_image_write(call->path, &image, &call->message);
@@ -249,7 +277,12 @@ static bl_status report_nothing(const bl_signal *signal, bl_message *message) {
 static bl_status fill_and_write(bl_call *call, const bl_signal *signal, slice_view *view,
                                 const bl_vector_signal *vector, float *plane, float *values) {
     bl_progress(call, "rendering %s ...", signal->text);
-    fill(call, vector, &view->grid, plane, values);
+    if (view->colour) {
+        const double own = bl_signal_own_width(signal), width[BL_AXES] = {own, own, own, own};
+        bl_grid_fill_colour(signal, &view->grid, width, bl_call_threads(call), values);
+    } else {
+        fill(call, vector, &view->grid, plane, values);
+    }
     const render_settings *settings = call->settings;
     size_t count = view->components * view->grid.width * view->grid.height;
     image_outcome outcome = look(values, count, view);
@@ -288,7 +321,7 @@ static bl_status render(bl_call *call, const bl_signal *signal) {
         status = bl_report(&call->message, BL_DEVICE, "out of memory: the image takes %s",
                            bl_plain_bytes(bytes).text);
     else
-        status = bl_vector_signal_open(signal, count, &vector, &call->message);
+        status = bl_vector_signal_open(signal, view.colour ? 1 : count, &vector, &call->message);
     if (status == BL_OK)
         status = fill_and_write(call, signal, &view, &vector, plane, values);
     bl_vector_signal_free(&vector);
@@ -344,18 +377,19 @@ static const bl_option options[] = {
      .value = "CELLS",
      .minimum = 1e-12,
      .maximum = 1e12,
-     .help = "units across the width (default: 16, or the whole of an image)"},
+     .help =
+         "units across the width (default: 16, the whole of an image, or what shows a texture)"},
     {.name = "at",
      .kind = BL_OPTION_WORD,
      .offset = AT(at),
      .value = "X,Y,Z,W",
      .help = "the point at the centre; of a noise in four dimensions W, its time, too (default: "
-             "0,0,0,0, or the middle of an image)"},
+             "0,0,0,0, the middle of an image, or as suits a texture)"},
     {.name = "normal",
      .kind = BL_OPTION_WORD,
      .offset = AT(normal),
      .value = "AXIS",
-     .help = "normal of the slice: x, y, z or DX,DY,DZ (default: z)"},
+     .help = "normal of the slice: x, y, z or DX,DY,DZ (default: z, or as suits a texture)"},
     {.name = "range",
      .kind = BL_OPTION_WORD,
      .offset = AT(range),
@@ -363,7 +397,7 @@ static const bl_option options[] = {
      .help =
          "PNG: the values of black and white (default: -1:1 where a bound between 0.5 and 2 either "
          "way, or none, is stated; else the stated bounds, as 0:1, of large ones no more than 4 "
-         "deviations from the mean; of an image without negative values 0:1)"},
+         "deviations from the mean; of a texture or an image without negative values 0:1)"},
     {.name = "bits",
      .kind = BL_OPTION_CHOICE,
      .offset = AT(bits),
@@ -381,7 +415,9 @@ const bl_verb bl_verb_render = {
     .summary = "an image of a slice (EXR, PNG, TIFF by the name)",
     .text =
         "EXR and TIFF hold the values as floats; PNG holds codes proportional to the value "
-        "within the range. With --components a pixel has as many values: three are red, green and "
+        "within the range. Textures are drawn in colour, linear in EXR and TIFF, by the curve of "
+        "sRGB in PNG, unless component= names one of its components. With --components a pixel has "
+        "as many values: three are red, green and "
         "blue. The settings travel as attributes of the file.",
     .least = 1,
     .most = 1,

@@ -14,7 +14,7 @@ _bandlimit_keys() {
 
 _bandlimit() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
-    local verbs="list show eval render spectrum histogram check score compare reproduce bench help version"
+    local verbs="list show eval render spectrum histogram check score compare alias reproduce bench help version"
     local common="--json -o --output --seed --threads --quick --full --isa -q --quiet -h --help
         --version"
     local spectral="--dims --axis --rate --size --average --window --place --level"
@@ -45,6 +45,10 @@ _bandlimit() {
         COMPREPLY=($(compgen -P "$prefix" -W "repeatable range band period stationarity isotropy
             continuity seeds far gradient cost" -- "${current##*,}"))
         ;;
+    --view) COMPREPLY=($(compgen -W "$(_bandlimit_names views)" -- "$current")) ;;
+    --filter) COMPREPLY=($(compgen -W "all point supersample mean own" -- "$current")) ;;
+    --pixel) COMPREPLY=($(compgen -W "box gaussian" -- "$current")) ;;
+    --cache) COMPREPLY=($(compgen -d -- "$current")) ;;
     --bits) COMPREPLY=($(compgen -W "8 16" -- "$current")) ;;
     -o | --output) COMPREPLY=($(compgen -f -- "$current")) ;;
     --seed | --threads | --rate | --size | --average | --level | --band | --leak | --guard | \
@@ -110,6 +114,11 @@ _bandlimit() {
     compare)
         options="--format"
         words=$(_bandlimit_names noises) files=yes
+        ;;
+    alias)
+        options="--view --filter --size --pixel --cache"
+        words="$(_bandlimit_names textures) $(_bandlimit_names primitives) $(_bandlimit_names noises)"
+        files=yes
         ;;
     reproduce)
         options="--format"

@@ -81,3 +81,12 @@ bl_status bl_signal_with_choice(const bl_signal *signal, const char *key, const 
     free(block);
     return status;
 }
+
+double bl_signal_own_width(const bl_signal *signal) {
+    const bl_parameter *parameter = signal->definition ? signal->definition->parameters : NULL;
+    double width = 0;
+    for (; parameter && parameter->key; parameter++)
+        if (parameter->kind == BL_REAL && strcmp(parameter->key, "width") == 0)
+            memcpy(&width, (const char *)signal->parameters + parameter->offset, sizeof width);
+    return width;
+}

@@ -8,6 +8,13 @@
 #include "core/grammar.h"
 #include "core/signal.h"
 
+// A picture that shows a definition well, for those who ask for one without a place of their own.
+typedef struct bl_picture {
+    double scale;       // units across; 0: nothing in particular
+    double at[BL_AXES]; // the place in the middle
+    double normal[3];   // of the slice; all 0: z
+} bl_picture;
+
 typedef struct bl_definition {
     const char *name;    // in the registry and the grammar: "gnoise"
     const char *title;   // "gradient noise"
@@ -34,6 +41,7 @@ typedef struct bl_definition {
     // Optional: the settings with which the noise is the very field of these loops, up to rounding;
     // NULL: they have the statistics of the noise, and random numbers of their own.
     const char *textbook_settings;
+    bl_picture picture; // optional
     bl_signal_functions functions;
 } bl_definition;
 
@@ -51,5 +59,8 @@ const char *const *bl_signal_choices(const bl_signal *signal, const char *key);
 // BL_USAGE if the signal has no such key or the key no such word, BL_DEVICE out of memory.
 bl_status bl_signal_with_choice(const bl_signal *signal, const char *key, const char *word,
                                 bl_signal **copy, bl_message *message);
+
+// The width of a sample that the signal's own key `width` sets for its values; 0 without such a key.
+double bl_signal_own_width(const bl_signal *signal);
 
 #endif

@@ -18,6 +18,11 @@ typedef struct bl_grid {
 // the values do not depend on their number.
 void bl_grid_fill(const bl_signal *signal, const bl_grid *grid, int threads, float *out);
 
+// Fills out[3 (j*width + i)] and the two behind it with the red, green and blue of the signal, for
+// samples of this width along each axis.
+void bl_grid_fill_colour(const bl_signal *signal, const bl_grid *grid, const double width[BL_AXES],
+                         int threads, float *out);
+
 // How many threads a request of `threads` (0: all) means.
 int bl_thread_count(int threads);
 

@@ -126,6 +126,10 @@ double bl_octaves_constant(const bl_octaves *octaves, const bl_octaves_plan *pla
 // The abilities that all sums share, for their descriptors; `parameters` is the block.
 void bl_octaves_release(void *parameters);
 double bl_octaves_value(const void *parameters, const double at[BL_AXES]);
+// The value for samples as far apart as the largest width of its axes says, or as the key width, if
+// that is larger.
+double bl_octaves_filtered(const void *parameters, const double at[BL_AXES],
+                           const double width[BL_AXES]);
 // NaN where the basis has no gradient.
 void bl_octaves_gradient(const void *parameters, const double at[BL_AXES], double out[BL_AXES]);
 double bl_octaves_covariance(const void *parameters, const double lag[BL_AXES]);
@@ -225,6 +229,7 @@ extern const char *const bl_octave_basis_examples[];
 // The functions of a sum whose octaves add up as they are, but for those of its own.
 #define BL_OCTAVES_FUNCTIONS                                                                       \
     .row = bl_octaves_row, .points = bl_octaves_points, .value = bl_octaves_value,                 \
-    .gradient = bl_octaves_gradient, .release = bl_octaves_release
+    .gradient = bl_octaves_gradient, .filtered = bl_octaves_filtered,                              \
+    .release = bl_octaves_release
 
 #endif

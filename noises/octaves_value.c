@@ -99,12 +99,24 @@ void bl_octaves_gradient(const void *parameters, const double at[BL_AXES], doubl
     evaluate(octaves, &octaves->plan, at, out);
 }
 
-double bl_octaves_value_for_width(const bl_signal *sum, const double at[BL_AXES], double width) {
-    if (!bl_octaves_is_sum(sum) || !(width >= 0))
-        return NAN;
-    const bl_octaves_settings *settings = sum->parameters;
+static double value_for_width(const bl_octaves_settings *settings, const double at[BL_AXES],
+                              double width) {
     const bl_octaves *octaves = settings->octaves;
     bl_octaves_plan plan = octaves->plan;
     bl_octaves_plan_clamp(&plan, octaves->top, (bl_octave_clamp)settings->clamp, width);
     return evaluate(octaves, &plan, at, NULL);
+}
+
+double bl_octaves_value_for_width(const bl_signal *sum, const double at[BL_AXES], double width) {
+    return bl_octaves_is_sum(sum) && width >= 0 ? value_for_width(sum->parameters, at, width) : NAN;
+}
+
+double bl_octaves_filtered(const void *parameters, const double at[BL_AXES],
+                           const double width[BL_AXES]) {
+    const bl_octaves_settings *settings = parameters;
+    double widest = settings->width;
+    for (unsigned a = 0; a < settings->octaves->dimensions; a++)
+        if (isnan(width[a]) || width[a] > widest)
+            widest = isnan(widest) ? widest : width[a];
+    return widest >= 0 ? value_for_width(settings, at, widest) : NAN;
 }

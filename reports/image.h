@@ -22,14 +22,15 @@ typedef struct bl_image {
     double spacing;      // units between pixels; 0: not stated
     double black, white; // PNG: the values shown as 0 and as full scale; both 0: the finite range
     unsigned bits;       // PNG: 8 or 16; 0 means 8
+    int srgb;            // PNG: the values are linear light, and codes follow the curve of sRGB
     const bl_attribute *attributes;
     size_t attribute_count;
 } bl_image;
 
 // Writes an image in the format of the name's ending: .exr and .tif/.tiff hold the values as 32-bit
 // floats; .png holds codes proportional to (value - black) / (white - black), clamped, with no
-// further curve, so that equal steps of value are equal steps of code; NaN is black there. The
-// attributes, the spacing ("bandlimit:spacing") and for PNG the range are written too where the
+// further curve, so that equal steps of value are equal steps of code, unless `srgb` asks for the
+// curve of IEC 61966-2-1, which a viewer undoes; NaN is black there. The attributes, the spacing ("bandlimit:spacing") and for PNG the range are written too where the
 // format has room for them. Errors: BL_USAGE for another ending, an empty image or bits other than
 // 8 and 16; BL_DEVICE for a folder that is missing or full: every byte is written through a
 // bl_file, so a disk that fills half way leaves nothing. Thread-safe for different paths.

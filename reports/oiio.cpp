@@ -19,10 +19,12 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/imageio.h>
+#include <OpenImageIO/texture.h>
 
 extern "C" {
 #include "core/file.h"
 #include "core/grammar.h"
+#include "core/texels.h"
 #include "reports/image.h"
 #include "reports/sampled_tile.h"
 }
@@ -65,6 +67,15 @@ void range_of(const bl_image &image, size_t count, double &black, double &white)
         white = black + 1;
 }
 
+// The curve of IEC 61966-2-1 and its inverse, on [0, 1].
+double encode_srgb(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+double decode_srgb(double code) {
+    return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+}
+
 template <typename Code>
 std::vector<Code> codes_of(const bl_image &image, size_t count, double black, double white) {
     const double full = static_cast<Code>(~Code{0});
@@ -72,7 +83,8 @@ std::vector<Code> codes_of(const bl_image &image, size_t count, double black, do
     for (size_t i = 0; i < count; i++) {
         const double share = (image.values[i] - black) / (white - black);
         // fmax gives 0 for NaN, so the cast below always sees a number in [0, full + 0.5).
-        codes[i] = static_cast<Code>(std::fmin(std::fmax(share, 0.0), 1.0) * full + 0.5);
+        const double inside = std::fmin(std::fmax(share, 0.0), 1.0);
+        codes[i] = static_cast<Code>((image.srgb ? encode_srgb(inside) : inside) * full + 0.5);
     }
     return codes;
 }
@@ -539,6 +551,187 @@ bl_status open_image(const bl_image_source &source, bl_signal **out, bl_message 
     return make_signal(source, spacing, std::move(pixels), out, message);
 }
 
+// --- pictures for textures ----------------------------------------------------------------------
+
+// Linear colours in memory, row 0 at the top.
+struct Picture {
+    size_t width = 0, height = 0;
+    std::vector<float> rgb;
+    double mean[3] = {0, 0, 0}, least[3], most[3];
+};
+
+const char picture_name[] = "bandlimit:picture"; // of the attribute with its address
+
+// What the texture system reads a picture through: it asks for a file by name, and gets what is in
+// memory, which is linear already.
+class PictureInput : public OIIO::ImageInput {
+  public:
+    const char *format_name() const override {
+        return "bandlimit";
+    }
+    bool open(const std::string &, OIIO::ImageSpec &) override {
+        return false; // there is nothing without the address
+    }
+    bool open(const std::string &, OIIO::ImageSpec &spec, const OIIO::ImageSpec &config) override {
+        const OIIO::ParamValue *address =
+            config.find_attribute(picture_name, OIIO::TypeDesc(OIIO::TypeDesc::PTR));
+        if (!address)
+            return false;
+        std::memcpy(&picture, address->data(), sizeof picture);
+        m_spec = OIIO::ImageSpec(static_cast<int>(picture->width),
+                                 static_cast<int>(picture->height), 3, OIIO::TypeDesc::FLOAT);
+        spec = m_spec;
+        return true;
+    }
+    bool close() override {
+        return true;
+    }
+    bool read_native_scanline(int, int, int y, int, void *data) override {
+        const size_t row = 3 * picture->width;
+        std::memcpy(data, &picture->rgb[static_cast<size_t>(y) * row], row * sizeof(float));
+        return true;
+    }
+
+  private:
+    const Picture *picture = nullptr;
+};
+
+OIIO::ImageInput *make_picture_input() {
+    return new PictureInput;
+}
+
+// Squares of 16, 8, 4 and 2 texels in the columns from left to right, each with a colour of its own
+// that the numbers of its column and row make, over a ramp of grey.
+void draw_card(Picture &picture) {
+    constexpr size_t side = 128;
+    picture.width = picture.height = side;
+    picture.rgb.resize(3 * side * side);
+    for (size_t y = 0; y < side; y++)
+        for (size_t x = 0; x < side; x++) {
+            const size_t square = 16u >> (x / 32), i = x / square, j = y / square;
+            const size_t pattern = (i * 3 + j * 5) % 8;
+            for (size_t c = 0; c < 3; c++)
+                picture.rgb[3 * (side * y + x) + c] =
+                    y >= side - 16 ? static_cast<float>(x) / static_cast<float>(side - 1)
+                                   : ((pattern >> c) & 1 ? 0.8f : 0.05f);
+        }
+}
+
+bl_status read_picture(const char *path, Picture &picture, bl_message *message) {
+    bl_status status = check_file(path, message);
+    if (status != BL_OK)
+        return status;
+    auto input = OIIO::ImageInput::open(path);
+    if (!input)
+        return report_reading(path, OIIO::geterror(), message);
+    const OIIO::ImageSpec spec = input->spec();
+    if ((status = check_shape(spec, path, message)) != BL_OK)
+        return status;
+    if (static_cast<double>(spec.width) * spec.height > 0x1p28)
+        return bl_report(message, BL_DEVICE, "'%s' has %d x %d texels; a picture has 2^28 at most",
+                         path, spec.width, spec.height);
+    const size_t width = static_cast<size_t>(spec.width), height = static_cast<size_t>(spec.height);
+    const int channels = spec.nchannels >= 3 ? 3 : 1;
+    std::vector<float> read(width * height * static_cast<size_t>(channels));
+    if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, read.data()))
+        return report_reading(path, input->geterror(), message);
+    const bool encoded = spec.get_string_attribute("oiio:ColorSpace") == "sRGB";
+    picture.width = width;
+    picture.height = height;
+    picture.rgb.resize(3 * width * height);
+    for (size_t i = 0; i < picture.rgb.size(); i++) {
+        const double code = read[channels == 3 ? i : i / 3];
+        picture.rgb[i] = static_cast<float>(encoded ? decode_srgb(code) : code);
+    }
+    return BL_OK;
+}
+
+void measure_picture(Picture &picture) {
+    const size_t count = picture.width * picture.height;
+    for (size_t c = 0; c < 3; c++) {
+        picture.least[c] = picture.most[c] = picture.rgb[c];
+        for (size_t i = 0; i < count; i++) {
+            const double value = picture.rgb[3 * i + c];
+            picture.mean[c] += value;
+            picture.least[c] = std::fmin(picture.least[c], value);
+            picture.most[c] = std::fmax(picture.most[c], value);
+        }
+        picture.mean[c] /= static_cast<double>(count);
+    }
+}
+
+} // namespace
+
+// The signal's own texture system: nothing is shared, so nothing is left when it goes.
+struct bl_texels {
+    Picture picture;
+    OIIO::TextureSystem *system = nullptr;
+    OIIO::TextureSystem::TextureHandle *handle = nullptr;
+
+    bl_texels() = default;
+    bl_texels(const bl_texels &) = delete;
+    bl_texels &operator=(const bl_texels &) = delete;
+    ~bl_texels() {
+        if (system)
+            OIIO::TextureSystem::destroy(system, true);
+    }
+};
+
+namespace {
+
+bl_status open_texels(const char *path, bl_texels **out, bl_message *message) {
+    auto texels = std::make_unique<bl_texels>();
+    if (*path) {
+        bl_status status = read_picture(path, texels->picture, message);
+        if (status != BL_OK)
+            return status;
+    } else {
+        draw_card(texels->picture);
+    }
+    measure_picture(texels->picture);
+    texels->system = OIIO::TextureSystem::create(false);
+    texels->system->attribute("automip", 1);
+    texels->system->attribute("autotile", 64);
+    texels->system->attribute("forcefloat", 1);
+    texels->system->attribute("max_memory_MB", 4096.0f); // pages are taken as they are used
+    OIIO::ImageSpec config;
+    const Picture *address = &texels->picture;
+    config.attribute(picture_name, OIIO::TypeDesc(OIIO::TypeDesc::PTR), &address);
+    const OIIO::ustring name("bandlimit picture");
+    OIIO::ImageCache *cache = texels->system->imagecache();
+    if (!cache->add_file(name, make_picture_input, &config) ||
+        !(texels->handle = texels->system->get_texture_handle(name)) ||
+        !texels->system->good(texels->handle))
+        return report_reading(*path ? path : "the built-in card", texels->system->geterror(),
+                              message);
+    *out = texels.release();
+    return BL_OK;
+}
+
+// A place of the unit square, in float as the library wants it.
+float fraction_of(double x) {
+    return static_cast<float>(x - std::floor(x));
+}
+
+void look(const bl_texels &texels, double s, double t, double width_s, double width_t,
+          bl_texels_reading reading, double rgb[3]) {
+    OIIO::TextureOpt options;
+    options.swrap = options.twrap = OIIO::TextureOpt::WrapPeriodic;
+    options.interpmode = OIIO::TextureOpt::InterpBilinear;
+    options.mipmode = reading == BL_TEXELS_POINT       ? OIIO::TextureOpt::MipModeNoMIP
+                      : reading == BL_TEXELS_TRILINEAR ? OIIO::TextureOpt::MipModeTrilinear
+                                                       : OIIO::TextureOpt::MipModeAniso;
+    // More than all of the picture is all of it; so is a width that a float does not hold.
+    const float across = static_cast<float>(std::fmin(width_s, 1e6));
+    const float up = static_cast<float>(std::fmin(width_t, 1e6));
+    float result[3] = {NAN, NAN, NAN};
+    if (!texels.system->texture(texels.handle, texels.system->get_perthread_info(), options,
+                                fraction_of(s), fraction_of(-t), across, 0.0f, 0.0f, up, 3, result))
+        (void)texels.system->geterror();
+    for (int c = 0; c < 3; c++)
+        rgb[c] = static_cast<double>(result[c]);
+}
+
 bl_status report_thrown(const char *path, const char *what, bl_message *message) {
     return bl_report(message, BL_DEVICE, "'%s': the image library failed: %s", path, what);
 }
@@ -561,4 +754,39 @@ extern "C" bl_status bl_image_open(const bl_image_source *source, bl_signal **si
     return report_thrown(source->path, thrown.what(), message);
 } catch (...) {
     return report_thrown(source->path, "no reason given", message);
+}
+
+extern "C" bl_status bl_texels_open(const char *path, bl_texels **texels, bl_message *message) try {
+    return open_texels(path, texels, message);
+} catch (const std::exception &thrown) {
+    return report_thrown(path, thrown.what(), message);
+} catch (...) {
+    return report_thrown(path, "no reason given", message);
+}
+
+extern "C" void bl_texels_close(bl_texels *texels) {
+    delete texels;
+}
+
+extern "C" void bl_texels_look(const bl_texels *texels, double s, double t, double width_s,
+                               double width_t, bl_texels_reading reading, double rgb[3]) try {
+    rgb[0] = rgb[1] = rgb[2] = NAN;
+    if (std::isfinite(s) && std::isfinite(t) && width_s >= 0 && width_t >= 0)
+        look(*texels, s, t, width_s, width_t, reading, rgb);
+} catch (...) {
+    rgb[0] = rgb[1] = rgb[2] = NAN;
+}
+
+extern "C" void bl_texels_mean(const bl_texels *texels, double rgb[3]) {
+    std::copy_n(texels->picture.mean, 3, rgb);
+}
+
+extern "C" void bl_texels_bounds(const bl_texels *texels, double least[3], double most[3]) {
+    std::copy_n(texels->picture.least, 3, least);
+    std::copy_n(texels->picture.most, 3, most);
+}
+
+extern "C" void bl_texels_size(const bl_texels *texels, size_t size[2]) {
+    size[0] = texels->picture.width;
+    size[1] = texels->picture.height;
 }

@@ -30,8 +30,9 @@ typedef struct layout {
     double panel_width, panel_height, height;
 } layout;
 
+// Grey images, with their scale beside them.
 static int shows_images(const bl_plot *plot) {
-    return plot->panel_count > 0 && plot->panels[0].image;
+    return plot->panel_count > 0 && plot->panels[0].image && !plot->panels[0].coloured;
 }
 
 static layout lay_out(const bl_plot *plot) {
@@ -272,6 +273,15 @@ static void put_image(FILE *out, const bl_plot *plot, const layout *l, size_t in
             (plot->white - plot->black) / 255);
 }
 
+static void put_coloured_image(FILE *out, const bl_plot *plot, size_t index) {
+    fputs("unset colorbox\nplot ", out);
+    put_text(out, plot->panels[index].image);
+    fprintf(out,
+            " binary filetype=png flipy origin=(%.9g,%.9g) dx=%.9g dy=%.9g using 1:2:3 with "
+            "rgbimage\n",
+            plot->pixel / 2, plot->pixel / 2, plot->pixel, plot->pixel);
+}
+
 // What fits over the panel: the beginning of the title, with dots for the rest.
 static void shorten(char *out, size_t size, const char *title, size_t letters) {
     if (strlen(title) <= letters)
@@ -302,7 +312,10 @@ static void put_panel(FILE *out, const bl_plot *plot, const layout *l, size_t in
     if (index == 0)
         put_page_texts(out, plot, l);
     if (panel->image) {
-        put_image(out, plot, l, index);
+        if (panel->coloured)
+            put_coloured_image(out, plot, index);
+        else
+            put_image(out, plot, l, index);
         return;
     }
     fputs("plot ", out);

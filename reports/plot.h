@@ -58,6 +58,7 @@ typedef struct bl_panel {
     size_t series_count;
     const char *image; // or a grey PNG file, shown with the scale black to white; its upper left
                        // corner stands at 0, 0, so y.from > y.to shows it upright
+    int coloured;      // the PNG is in colour, shown as it is and without a scale
 } bl_panel;
 
 typedef struct bl_axis {

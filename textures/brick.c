@@ -1,56 +1,114 @@
 // SPDX-License-Identifier: MIT
 //
 // brick: rows of bricks in mortar, each second row shifted by half a brick.
+//
+//   colour = mix(mortar, brick, w h),  w = pulse(edge, 1 - edge; frac(s'/across + shift)),  h alike
+//
+// Parameters
+//   brick_width, brick_height, mortar   units; defaults of the text: 1/4, 0.08 and 0.01
+//   filter   none
+//            boxstep, smoothstep   the text's first remedy: the steps at both ends of the brick
+//            that
+//                       the sample's centre lies in become ramps (or cubics) one width long. Right
+//                       in the middle of a brick; the brick next door is not seen, so that mortar
+//                       gets too wide as soon as the width exceeds it, and at width w >> 1 all is
+//                       mortar
+//            integral   the text's second remedy: exact averages of both pulses. Their product is
+//                       the average of the wall only while the sample stays in one row; across
+//                       rows the shift of the centre's row is taken for all of them
+//            exact      the box average of the wall: both parities of rows, each with its own shift
+//            mean       the mean colour for every width above 0
+//   width, component   see textures/texture.h
+//
+// Bound: between the two colours, since all weights lie in [0, 1]. Mean: that of the shares of
+// brick and mortar. Period: one brick across, two rows up. Class: jumps; C0 if filtered at a width
+// above 0, but for the forms that depend on the centre's brick and row, which jump where it
+// changes. NaN and infinite places give NaN; beyond 2^52 bricks nothing is left of the fraction.
+//
+// Source: peachey2003, pp. 39-42 and 64-69. Deviations: the text's filters reach from x to x + w,
+// here samples are centred, which is the same picture half a width aside; diffuse shading is left
+// to the viewer.
 #include "textures/texture.h"
 
 #include <math.h>
 
 #include "filters/pulse_train.h"
+#include "textures/brick_shape.h"
+#include "textures/sampling.h"
 
 typedef struct brick_parameters {
-    double brick_width, brick_height, mortar;
+    bl_brick_sizes sizes;
     bl_seeing seeing;
 } brick_parameters;
 
-enum { NONE, INTEGRAL };
-static const char *const filter_words[] = {"none", "integral", NULL};
+enum { NONE, BOXSTEP, SMOOTHSTEP, INTEGRAL, EXACT, MEAN };
+static const char *const filter_words[] = {"none",  "boxstep", "smoothstep", "integral",
+                                           "exact", "mean",    NULL};
 
-static const bl_colour brick_colour = {{0.5, 0.15, 0.14}}, mortar_colour = {{0.5, 0.5, 0.5}};
+// The pulse of one brick, whose neighbours are not seen.
+static double lone_pulse(bl_edge edge, double low, double x, double width) {
+    x -= floor(x);
+    if (isinf(width))
+        return 1 - 2 * low;
+    return bl_edge_step(edge, x - low, width) - bl_edge_step(edge, x - (1 - low), width);
+}
+
+static double share_of_brick(const brick_parameters *p, const double at[BL_AXES],
+                             const double width[BL_AXES]) {
+    const bl_brick brick = bl_brick_of(&p->sizes);
+    if (p->seeing.filter == EXACT)
+        return bl_brick_average(&brick, at, width);
+    double place[2], span[2];
+    for (int a = 0; a < 2; a++) {
+        place[a] = at[a] / brick.size[a];
+        span[a] = p->seeing.filter == NONE ? 0 : width[a] / brick.size[a];
+    }
+    place[0] += bl_brick_shift(floor(place[1]));
+    double product = 1;
+    for (int a = 0; a < 2; a++)
+        product *= p->seeing.filter == BOXSTEP || p->seeing.filter == SMOOTHSTEP
+                       ? lone_pulse((bl_edge)p->seeing.filter, brick.edge[a], place[a], span[a])
+                       : bl_pulse_train_average(&bl_filter_box, brick.edge[a], 1 - brick.edge[a],
+                                                place[a], span[a]);
+    return product;
+}
 
 static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
                    double rgb[3]) {
     const brick_parameters *p = block;
-    double across = p->brick_width + p->mortar, up = p->brick_height + p->mortar;
-    double s = at[0] / across, t = at[1] / up;
-    double edge_s = 0.5 * p->mortar / across, edge_t = 0.5 * p->mortar / up;
-    int filtered = p->seeing.filter == INTEGRAL;
-    const bl_filter *box = bl_filter_find("box");
-    if (0.5 * t - floor(0.5 * t) > 0.5)
-        s += 0.5;
-    double w = bl_pulse_train_average(box, edge_s, 1 - edge_s, s, filtered ? width[0] / across : 0);
-    double h = bl_pulse_train_average(box, edge_t, 1 - edge_t, t, filtered ? width[1] / up : 0);
-    bl_colour mixed = bl_colour_mix(mortar_colour, brick_colour, w * h);
-    for (int i = 0; i < 3; i++)
-        rgb[i] = mixed.rgb[i];
+    const bl_brick brick = bl_brick_of(&p->sizes);
+    int all = bl_is_all(width, 2) || (p->seeing.filter == MEAN && bl_has_width(width, 2));
+    double share = all ? bl_brick_share(&brick) : share_of_brick(p, at, width);
+    bl_colour_put(bl_is_place(at, 2) ? bl_colour_mix(bl_mortar_colour, bl_brick_colour, share)
+                                     : bl_colour_missing,
+                  rgb);
 }
 
 BL_TEXTURE_ABILITIES(brick_parameters)
 
 static void describe(const void *block, bl_facts *facts) {
-    (void)block;
+    const brick_parameters *p = block;
+    const bl_brick brick = bl_brick_of(&p->sizes);
+    const bl_colour ends[] = {bl_mortar_colour, bl_brick_colour};
+    double share = bl_brick_share(&brick);
+    int point = p->seeing.width == 0 || p->seeing.filter == NONE;
     *facts = bl_facts_unknown();
-    facts->lower = 0;
-    facts->upper = 1;
+    bl_texture_bound(facts, p->seeing.component, ends, 2, "it lies between two colours");
+    double contrast = facts->upper - facts->lower - 0x1p-49;
+    if (point)
+        facts->variance = share * (1 - share) * contrast * contrast;
+    // The forms that see one brick alone lose what its neighbours would give.
+    if (point || p->seeing.filter >= EXACT)
+        bl_texture_mean(facts, p->seeing.component, bl_brick_mean(&brick));
+    facts->continuity = point                       ? -1
+                        : p->seeing.filter == EXACT ? 0
+                        : p->seeing.filter == MEAN  ? 99
+                                                    : -2;
+    facts->period[0] = brick.size[0];
+    facts->period[1] = 2 * brick.size[1];
 }
 
-#define LENGTH(field, usual, what)                                                                 \
-    {                                                                                              \
-        .key = #field, .kind = BL_REAL, .offset = offsetof(brick_parameters, field),               \
-        .minimum = 1e-6, .maximum = 1e6, .fallback = usual, .unit = "units", .help = what          \
-    }
-static const bl_parameter parameters[] = {LENGTH(brick_width, "0.25", "of a brick"),
-                                          LENGTH(brick_height, "0.08", "of a brick"),
-                                          LENGTH(mortar, "0.01", "thickness of the mortar"),
+static const bl_parameter parameters[] = {BL_BRICK_PARAMETERS(brick_parameters, sizes),
                                           BL_SEEING_PARAMETERS(brick_parameters, filter_words),
                                           {.key = NULL}};
 
@@ -64,4 +122,5 @@ BL_TEXTURE_DESCRIPTOR(brick) = {.name = "brick",
                                 .parameters_size = sizeof(brick_parameters),
                                 .seed_offset = SIZE_MAX,
                                 .describe = describe,
+                                .picture = {.scale = 1, .at = {0.5, 0.5}},
                                 .functions = {BL_TEXTURE_FUNCTIONS}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "textures/texture.h"
 
+#include <math.h>
 #include <string.h>
 
 #define BL_TEXTURE(stem) extern const bl_texture bl_texture_##stem;
@@ -41,4 +42,29 @@ bl_colour bl_colour_mix(bl_colour a, bl_colour b, double x) {
     for (int i = 0; i < 3; i++)
         mixed.rgb[i] = (1 - x) * a.rgb[i] + x * b.rgb[i];
     return mixed;
+}
+
+const bl_colour bl_colour_missing = {{NAN, NAN, NAN}};
+
+void bl_colour_put(bl_colour colour, double rgb[3]) {
+    memcpy(rgb, colour.rgb, sizeof colour.rgb);
+}
+
+void bl_texture_bound(bl_facts *facts, uint32_t component, const bl_colour *colours, size_t count,
+                      const char *proof) {
+    facts->lower = INFINITY;
+    facts->upper = -INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        double value = bl_colour_component(colours[i].rgb, component);
+        facts->lower = fmin(facts->lower, value);
+        facts->upper = fmax(facts->upper, value);
+    }
+    // Mixtures and luminances are sums of products that round: some ulps of 1 beyond the ends.
+    facts->lower -= 0x1p-50;
+    facts->upper += 0x1p-50;
+    facts->bound_proof = proof;
+}
+
+void bl_texture_mean(bl_facts *facts, uint32_t component, bl_colour mean) {
+    facts->mean = bl_colour_component(mean.rgb, component);
 }

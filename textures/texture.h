@@ -60,8 +60,17 @@ extern const char *const bl_colour_components[];
 // The component of a colour: luminance has the weights of sRGB's primaries.
 double bl_colour_component(const double rgb[3], uint32_t component);
 
-// a + (b - a) x, exact at 0 and at 1.
+// (1 - x) a + x b, exact at 0 and at 1.
 bl_colour bl_colour_mix(bl_colour a, bl_colour b, double x);
+
+void bl_colour_put(bl_colour colour, double rgb[3]);
+extern const bl_colour bl_colour_missing; // NaN thrice: where a texture has no value
+
+// States the least and the largest of the component among colours that all others lie between.
+void bl_texture_bound(bl_facts *facts, uint32_t component, const bl_colour *colours, size_t count,
+                      const char *proof);
+// States the component of the mean colour.
+void bl_texture_mean(bl_facts *facts, uint32_t component, bl_colour mean);
 
 // In a texture's file, after `static void colour(const void *, const double at[BL_AXES],
 // const double width[BL_AXES], double rgb[3])`: the other abilities of the signal, for its

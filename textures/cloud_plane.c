@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+//
+// cloudplane: Gardner's clouds on a flat sky.
+//
+//   colour = mix(sky, cloud, clamp(gardner(s, t), 0, 1)),  gardner as in noises/gardner_sum.c
+//
+// Parameters
+//   seed     0: the text's place; any other moves it
+//   terms    1 to 8; default 5, the text's
+//   contrast 0 to 100: what the sum is multiplied by before it is clamped; default 1, the text's,
+//            with which no cloud has more than 39 % of white
+//   filter   none
+//            clamp, fade   terms whose frequency is beyond the Nyquist limit of the width are
+//            removed,
+//                     at once or from half the limit on, and leave their mean. What their folding
+//                     at 0 would have given to the mean is lost
+//   width, component   see textures/texture.h
+//
+// A term's part in the sum is the difference of two sums, so that no loop over terms stands here:
+// sum over i of kept_i (g_i - g_{i-1}) + (1 - kept_i) mean_i, of which only the g_i that stand
+// between different weights are evaluated.
+//
+// Bound: between sky and cloud. Mean: not stated; infinite width gives the midpoint rule over 64 x
+// 64 places. Period: that of gardner, in thousands of units. NaN and infinite places give NaN.
+//
+// Source: peachey2003, pp. 51-52. The text's `clamp` never acts above 0.39; it cuts at 0.
+#include <math.h>
+#include <stdio.h>
+
+#include "noises/octaves.h"
+#include "noises/noise.h"
+#include "textures/sampling.h"
+#include "textures/texture.h"
+
+enum { TERMS_MOST = 8 };
+
+typedef struct cloud_plane_parameters {
+    uint64_t seed;
+    uint32_t terms;
+    double contrast;
+    bl_seeing seeing;
+    bl_signal *sum[TERMS_MOST]; // of the first 1, 2, ... terms; made on opening
+    bl_colour mean;
+} cloud_plane_parameters;
+
+enum { NONE, CLAMP, FADE }; // as bl_octave_clamp
+static const char *const filter_words[] = {"none", "clamp", "fade", NULL};
+static const bl_colour sky = {{0.16, 0.35, 0.78}}, cloud = {{1, 1, 1}};
+
+// The larger frequency of a term, of both axes, and the mean of its product (gardner_sum.c).
+static double kept_of(unsigned term, bl_octave_clamp clamp, double width) {
+    double across = 0.023, up = 0.021;
+    for (unsigned i = 0; i < term; i++) {
+        across *= 1.9 + i * 0.1;
+        up *= 2.2 - i * 0.08;
+    }
+    return bl_octave_kept(fmax(across, up), clamp, width);
+}
+
+static double sum_of_terms(const cloud_plane_parameters *p, const double at[BL_AXES],
+                           double width) {
+    bl_octave_clamp clamp = (bl_octave_clamp)p->seeing.filter;
+    double sum = 0, mean_before = 0, here = kept_of(0, clamp, width);
+    for (unsigned i = 0; i < p->terms; i++) {
+        double next = i + 1 < p->terms ? kept_of(i + 1, clamp, width) : 0;
+        double mean = p->sum[i]->facts.mean;
+        if (here != next)
+            sum += (here - next) * bl_signal_value(p->sum[i], at);
+        sum += (1 - here) * (mean - mean_before);
+        mean_before = mean;
+        here = next;
+    }
+    return sum;
+}
+
+static bl_colour see(const cloud_plane_parameters *p, const double at[BL_AXES], double width) {
+    double share = p->contrast * sum_of_terms(p, at, width);
+    return bl_colour_mix(sky, cloud, share <= 0 ? 0 : share >= 1 ? 1 : share);
+}
+
+static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
+                   double rgb[3]) {
+    const cloud_plane_parameters *p = block;
+    bl_colour seen = bl_colour_missing;
+    double widest = bl_widest(width, 2);
+    if (bl_is_place(at, 2) && !isnan(widest))
+        seen = bl_is_all(width, 2) ? p->mean : see(p, at, widest);
+    bl_colour_put(seen, rgb);
+}
+
+BL_TEXTURE_ABILITIES(cloud_plane_parameters)
+
+static void release(void *block) {
+    cloud_plane_parameters *p = block;
+    for (int i = 0; i < TERMS_MOST; i++) {
+        bl_signal_free(p->sum[i]);
+        p->sum[i] = NULL;
+    }
+}
+
+// Places over 1000 x 1000 units, which have 23 waves of the coarsest term across.
+static bl_colour mean_of(const cloud_plane_parameters *p) {
+    enum { PLACES = 64 };
+    bl_colour mean = {{0, 0, 0}};
+    for (int j = 0; j < PLACES; j++)
+        for (int i = 0; i < PLACES; i++) {
+            const double at[BL_AXES] = {1000 * (i + 0.5) / PLACES, 1000 * (j + 0.5) / PLACES};
+            bl_colour seen = see(p, at, 0);
+            for (int c = 0; c < 3; c++)
+                mean.rgb[c] += seen.rgb[c] / ((double)PLACES * PLACES);
+        }
+    return mean;
+}
+
+static bl_status build(void *block, bl_message *message) {
+    cloud_plane_parameters *p = block;
+    bl_status status = BL_OK;
+    for (int i = 0; i < TERMS_MOST; i++) // of a copied block, those of the other
+        p->sum[i] = NULL;
+    for (unsigned i = 0; i < p->terms && status == BL_OK; i++) {
+        char text[64];
+        snprintf(text, sizeof text, "gardner:terms=%u,seed=%llu", i + 1,
+                 (unsigned long long)p->seed);
+        status = bl_noise_open(text, BL_ISA_BASELINE, &p->sum[i], message);
+    }
+    if (status == BL_OK)
+        p->mean = mean_of(p);
+    else
+        release(p);
+    return status;
+}
+
+static void describe(const void *block, bl_facts *facts) {
+    const cloud_plane_parameters *p = block;
+    const bl_colour ends[] = {sky, cloud};
+    *facts = bl_facts_unknown();
+    bl_texture_bound(facts, p->seeing.component, ends, 2, "it lies between two colours");
+    facts->continuity = 0; // the clamp bends it
+    for (int a = 0; a < 2; a++)
+        facts->period[a] = p->sum[p->terms - 1]->facts.period[a];
+}
+
+static const bl_parameter parameters[] = {
+    {.key = "seed",
+     .kind = BL_SEED,
+     .offset = offsetof(cloud_plane_parameters, seed),
+     .fallback = "0",
+     .unit = "",
+     .help = "of the place; 0 is the text's"},
+    {.key = "terms",
+     .kind = BL_INTEGER,
+     .offset = offsetof(cloud_plane_parameters, terms),
+     .minimum = 1,
+     .maximum = TERMS_MOST,
+     .fallback = "5",
+     .unit = "",
+     .help = "how many products of waves"},
+    {.key = "contrast",
+     .kind = BL_REAL,
+     .offset = offsetof(cloud_plane_parameters, contrast),
+     .maximum = 100,
+     .fallback = "1",
+     .unit = "",
+     .help = "what the sum is multiplied by; 2.5 makes the thickest cloud white"},
+    BL_SEEING_PARAMETERS(cloud_plane_parameters, filter_words),
+    {.key = NULL}};
+
+BL_TEXTURE_DESCRIPTOR(cloud_plane) = {
+    .name = "cloudplane",
+    .title = "clouds on a flat sky",
+    .summary = "Gardner's sum of cosines between the colours of sky and cloud.",
+    .formula = "mix(sky, cloud, clamp(contrast gardner(s, t), 0, 1))",
+    .paper = "peachey2003, p. 51",
+    .dimensions = 2,
+    .parameters = parameters,
+    .parameters_size = sizeof(cloud_plane_parameters),
+    .seed_offset = offsetof(cloud_plane_parameters, seed),
+    .describe = describe,
+    .picture = {.scale = 80},
+    .functions = {BL_TEXTURE_FUNCTIONS, .build = build, .release = release}};

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+//
+// image: a picture of a file, looked up at coordinates that a noise has moved.
+//
+//   (s', t') = (s, t) + amount (n(f p), n(f p + (1.5, 6.7, 3.4))),  p = (s, t, z)
+//   colour = picture(frac(s'), frac(t'))
+//
+// Parameters
+//   path     of an image file; none: a built-in card of coloured squares (core/texels.h)
+//   seed, noise   any noise of three dimensions; default gnoise
+//   amount   of the shift, units; default 0.2, the text's; 0: the picture as it is
+//   frequency   f, cells per unit; default 4
+//   filter   none    linear between the four nearest texels
+//            mip     between two levels of a pyramid of box means, for the larger width
+//            anisotropic   several such lookups along the larger width
+//            mean    the mean of the picture for every width above 0
+//   width, component   see textures/texture.h
+//
+// The picture spans the unit square, t upwards, and repeats. What a sample of the picture is as
+// wide as follows from the derivatives of (s', t'), if the noise has a gradient; else from the
+// width as if nothing was moved. Lookups are OpenImageIO's, in float; its pyramid is wide for its
+// width, so that it blurs rather than aliases.
+//
+// Bound: the least and the largest texel, give or take float rounding. Mean: of the texels, for
+// amount 0. Period: 1 for amount 0. NaN and infinite places give NaN; beyond 2^23 units nothing is
+// left of a texel's place.
+//
+// Source: peachey2003, section Perturbed Image Textures. Deviation: f, which the text leaves to the
+// size of the object.
+#include <math.h>
+
+#include "core/texels.h"
+#include "textures/noise_source.h"
+#include "textures/sampling.h"
+
+typedef struct image_parameters {
+    char path[BL_TEXT_SIZE];
+    bl_noise_source noise;
+    double amount, frequency;
+    bl_seeing seeing;
+    bl_texels *texels; // made on opening
+} image_parameters;
+
+enum { NONE, MIP, ANISOTROPIC, MEAN }; // the first three as bl_texels_reading
+static const char *const filter_words[] = {"none", "mip", "anisotropic", "mean", NULL};
+
+// Moves the place, and stretches the widths by the derivatives of the movement: a box of widths
+// (w_s, w_t, w_z) becomes one of sum over a of |d s'/d a| w_a.
+static void move(const image_parameters *p, const double at[BL_AXES], const double width[BL_AXES],
+                 double place[2], double span[2]) {
+    static const double aside[2][3] = {{0, 0, 0}, {1.5, 6.7, 3.4}};
+    const bl_signal *noise = p->noise.signal;
+    for (int i = 0; i < 2; i++) {
+        double there[BL_AXES], slope[BL_AXES] = {0};
+        for (int a = 0; a < 3; a++)
+            there[a] = p->frequency * at[a] + aside[i][a];
+        place[i] = at[i] + p->amount * bl_signal_value(noise, there);
+        if (noise->functions->gradient && p->seeing.filter != NONE)
+            noise->functions->gradient(noise->parameters, there, slope);
+        span[i] = 0;
+        for (int a = 0; a < 3; a++)
+            span[i] += fabs((a == i) + p->amount * p->frequency * slope[a]) * width[a];
+    }
+}
+
+static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
+                   double rgb[3]) {
+    const image_parameters *p = block;
+    double widest = bl_widest(width, 3), place[2] = {at[0], at[1]}, span[2] = {width[0], width[1]};
+    bl_colour seen = bl_colour_missing;
+    if (!bl_is_place(at, 3) || isnan(widest)) {
+    } else if (bl_is_all(width, 3) || (p->seeing.filter == MEAN && widest > 0) ||
+               (isinf(widest) && p->seeing.filter != NONE)) {
+        bl_texels_mean(p->texels, seen.rgb);
+    } else {
+        if (p->amount > 0)
+            move(p, at, p->seeing.filter == NONE ? (const double[BL_AXES]){0} : width, place, span);
+        bl_texels_look(p->texels, place[0], place[1], span[0], span[1],
+                       p->seeing.filter == MEAN ? BL_TEXELS_POINT
+                                                : (bl_texels_reading)p->seeing.filter,
+                       seen.rgb);
+    }
+    bl_colour_put(seen, rgb);
+}
+
+BL_TEXTURE_ABILITIES(image_parameters)
+
+static bl_status build(void *block, bl_message *message) {
+    image_parameters *p = block;
+    bl_status status = bl_noise_source_open(&p->noise, p->noise.text, 3, message);
+    if (status != BL_OK)
+        return status;
+    status = bl_texels_open(p->path, &p->texels, message);
+    if (status != BL_OK)
+        bl_noise_source_close(&p->noise);
+    return status;
+}
+
+static void release(void *block) {
+    image_parameters *p = block;
+    bl_texels_close(p->texels);
+    p->texels = NULL;
+    bl_noise_source_close(&p->noise);
+}
+
+static void describe(const void *block, bl_facts *facts) {
+    const image_parameters *p = block;
+    double rgb[3];
+    bl_colour ends[2];
+    bl_texels_bounds(p->texels, ends[0].rgb, ends[1].rgb);
+    *facts = bl_facts_unknown();
+    bl_texture_bound(facts, p->seeing.component, ends, 2, "it lies between its texels");
+    double rounding = 0x1p-20 * fmax(fabs(facts->lower), fabs(facts->upper));
+    facts->lower -= rounding;
+    facts->upper += rounding;
+    if (p->amount == 0 || p->seeing.filter == MEAN) {
+        bl_texels_mean(p->texels, rgb);
+        facts->mean = bl_colour_component(rgb, p->seeing.component);
+        facts->period[0] = facts->period[1] = 1;
+        facts->period[2] = 0;
+    }
+    facts->far = 0x1p23;
+}
+
+static const bl_parameter parameters[] = {
+    {.key = "path",
+     .kind = BL_TEXT,
+     .offset = offsetof(image_parameters, path),
+     .fallback = "",
+     .unit = "",
+     .help = "of an image file; none: a built-in card"},
+    BL_NOISE_SOURCE_PARAMETERS(image_parameters, noise, "gnoise"),
+    {.key = "amount",
+     .kind = BL_REAL,
+     .offset = offsetof(image_parameters, amount),
+     .maximum = 10,
+     .fallback = "0.2",
+     .unit = "units",
+     .help = "of the shift, times the noise; 0: the picture as it is"},
+    {.key = "frequency",
+     .kind = BL_REAL,
+     .offset = offsetof(image_parameters, frequency),
+     .minimum = 1e-6,
+     .maximum = 1e6,
+     .fallback = "4",
+     .unit = "cells per unit",
+     .help = "of the noise"},
+    BL_SEEING_PARAMETERS(image_parameters, filter_words),
+    {.key = NULL}};
+
+BL_TEXTURE_DESCRIPTOR(image) = {
+    .name = "image",
+    .title = "perturbed picture",
+    .summary = "A picture of a file, looked up at coordinates that a noise has moved.",
+    .formula = "picture(s + amount n(f p), t + amount n(f p + (1.5, 6.7, 3.4)))",
+    .paper = "peachey2003, Perturbed Image Textures",
+    .dimensions = 3,
+    .parameters = parameters,
+    .parameters_size = sizeof(image_parameters),
+    .seed_offset = offsetof(image_parameters, noise.seed),
+    .describe = describe,
+    .picture = {.scale = 1, .at = {0.5, 0.5, 0.4}},
+    .functions = {BL_TEXTURE_FUNCTIONS, .build = build, .release = release}};

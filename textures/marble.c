@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+//
+// marble: blue marble, solid: a sum of four octaves of noise through a map of colours.
+//
+//   m = sum over i = 0 .. 3 of  noise(scale p 2.17^i) / 2.17^i
+//   colour = spline(clamp(2 m + 3/4, 0, 1)), through the 13 blues of the text
+//
+// Parameters
+//   seed, basis   any noise of three dimensions, with basis.KEY; default gnoise
+//   scale    lattice cells in a unit; default 2.5, the text's
+//   filter   none
+//            clamp, fade   octaves beyond the Nyquist limit of the width are removed, at once or
+//            from
+//                     half the limit on (noises/octaves.h). What the map would have made of them is
+//                     lost: at last all is the one colour of m = 0
+//            map      fade, and the map is averaged over a normal distribution with the variance
+//                     that the octaves have lost, so that the mean colour stays
+//   width, component   see textures/texture.h
+//
+// Bound: colours are cut to [0, 1], which the spline leaves nowhere with these knots. Mean: not
+// stated; infinite width gives the map's average over a normal distribution with the variance of m.
+// Class C1, as its noise: the map's clamp bends nothing, for the spline is level at its ends
+// (its last but one knots are pairs). NaN and infinite places give NaN, and those beyond 2^62.
+//
+// Source: peachey2003, section at figure 2.40. Deviations: the text filters nothing; shading is
+// left to the viewer.
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "noises/octaves.h"
+#include "textures/colour_spline.h"
+#include "textures/sampling.h"
+
+enum { OCTAVES = 4 };
+#define LACUNARITY 2.17
+
+typedef struct marble_parameters {
+    uint64_t seed;
+    char basis[BL_TEXT_SIZE];
+    double scale;
+    bl_seeing seeing;
+    bl_signal *sum;  // made on opening
+    double variance; // of the basis
+    double top;      // its highest frequency
+} marble_parameters;
+
+enum { NONE, CLAMP, FADE, MAP };
+static const char *const filter_words[] = {"none", "clamp", "fade", "map", NULL};
+
+#define PALE                                                                                       \
+    {                                                                                              \
+        { 0.25, 0.25, 0.35 }                                                                       \
+    }
+#define MEDIUM                                                                                     \
+    {                                                                                              \
+        { 0.10, 0.10, 0.30 }                                                                       \
+    }
+#define DARK                                                                                       \
+    {                                                                                              \
+        { 0.05, 0.05, 0.26 }                                                                       \
+    }
+#define DARKER                                                                                     \
+    {                                                                                              \
+        { 0.03, 0.03, 0.20 }                                                                       \
+    }
+static const bl_colour knots[] = {PALE, PALE, MEDIUM, MEDIUM, MEDIUM, PALE,  PALE,
+                                  DARK, DARK, DARKER, DARKER, PALE,   DARKER};
+static const bl_colour_spline map = {knots, sizeof knots / sizeof *knots};
+
+// The variance of what the octaves have lost at this width.
+static double lost_variance(const marble_parameters *p, double width) {
+    double lost = 0, frequency = 1;
+    for (int i = 0; i < OCTAVES; i++) {
+        double gone = 1 - bl_octave_kept(frequency * p->top, BL_CLAMP_FADE, width);
+        lost += p->variance * gone * gone / (frequency * frequency);
+        frequency *= LACUNARITY;
+    }
+    return lost;
+}
+
+static bl_colour see(const marble_parameters *p, const double at[BL_AXES], double width) {
+    const double place[BL_AXES] = {at[0] * p->scale, at[1] * p->scale, at[2] * p->scale};
+    double cells = p->seeing.filter == NONE ? 0 : width * p->scale;
+    double m = bl_octaves_value_for_width(p->sum, place, cells);
+    if (p->seeing.filter != MAP)
+        return bl_colour_clamp(bl_colour_spline_at(&map, 2 * m + 0.75));
+    return bl_colour_clamp(
+        bl_colour_spline_normal(&map, 2 * m + 0.75, 2 * sqrt(lost_variance(p, cells))));
+}
+
+static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
+                   double rgb[3]) {
+    const marble_parameters *p = block;
+    bl_colour seen = bl_colour_missing;
+    double widest = bl_widest(width, 3);
+    if (bl_is_place(at, 3) && bl_is_all(width, 3))
+        seen = bl_colour_clamp(
+            bl_colour_spline_normal(&map, 0.75, 2 * sqrt(lost_variance(p, INFINITY))));
+    else if (bl_is_place(at, 3) && !isnan(widest))
+        seen = see(p, at, widest);
+    bl_colour_put(seen, rgb);
+}
+
+BL_TEXTURE_ABILITIES(marble_parameters)
+
+static void release(void *block) {
+    marble_parameters *p = block;
+    bl_signal_free(p->sum);
+    p->sum = NULL;
+}
+
+// The text of the sum. The keys of the basis, as in "gnoise:fade=quintic", become keys of the sum's
+// own; a comma before a digit goes on with a list.
+static int put_sum_text(const marble_parameters *p, char *out, size_t size) {
+    static const char *const clamps[] = {"none", "hard", "fade", "fade"};
+    size_t name = strcspn(p->basis, ":");
+    int length = snprintf(out, size,
+                          "fbm:seed=%llu,octaves=%d,lacunarity=2.17,gain=100/217,seeds=same,"
+                          "clamp=%s,basis=%.*s",
+                          (unsigned long long)p->seed, OCTAVES, clamps[p->seeing.filter], (int)name,
+                          p->basis);
+    for (const char *c = p->basis + name; *c && length > 0 && (size_t)length + 8 < size; c++) {
+        int starts = *c == ':' ? c == p->basis + name : *c == ',' && !isdigit((unsigned char)c[1]);
+        length +=
+            starts ? snprintf(out + length, 8, ",basis.") : snprintf(out + length, 2, "%c", *c);
+    }
+    return length > 0 && (size_t)length + 8 < size;
+}
+
+static bl_status build(void *block, bl_message *message) {
+    marble_parameters *p = block;
+    char text[2 * BL_TEXT_SIZE];
+    p->sum = NULL;
+    if (!put_sum_text(p, text, sizeof text))
+        return bl_report(message, BL_USAGE, "the basis '%s' is too long", p->basis);
+    bl_status status = bl_noise_open(text, BL_ISA_BASELINE, &p->sum, message);
+    if (status == BL_OK && p->sum->dimensions < 3)
+        status =
+            bl_report(message, BL_USAGE, "the basis '%s' must have three dimensions", p->basis);
+    if (status != BL_OK) {
+        release(p);
+        return status;
+    }
+    double all = 0, frequency = 1;
+    for (int i = 0; i < OCTAVES; i++, frequency *= LACUNARITY)
+        all += 1 / (frequency * frequency);
+    const bl_octaves_settings *settings = p->sum->parameters;
+    p->top = settings->octaves->top;
+    p->variance = isfinite(p->sum->facts.variance) ? p->sum->facts.variance / all : 0;
+    return BL_OK;
+}
+
+static void describe(const void *block, bl_facts *facts) {
+    const marble_parameters *p = block;
+    const bl_colour ends[] = {{{0, 0, 0}}, {{1, 1, 1}}};
+    *facts = bl_facts_unknown();
+    bl_texture_bound(facts, p->seeing.component, ends, 2, "colours are cut to [0, 1]");
+    for (int a = 0; a < 3; a++)
+        facts->period[a] = p->sum->facts.period[a] / p->scale;
+}
+
+static const bl_parameter parameters[] = {{.key = "seed",
+                                           .kind = BL_SEED,
+                                           .offset = offsetof(marble_parameters, seed),
+                                           .fallback = "0",
+                                           .unit = "",
+                                           .help = "of the noise"},
+                                          {.key = "basis",
+                                           .kind = BL_NESTED,
+                                           .offset = offsetof(marble_parameters, basis),
+                                           .fallback = "gnoise",
+                                           .unit = "",
+                                           .help = "any noise, with its settings as basis.KEY"},
+                                          {.key = "scale",
+                                           .kind = BL_REAL,
+                                           .offset = offsetof(marble_parameters, scale),
+                                           .minimum = 1e-6,
+                                           .maximum = 1e6,
+                                           .fallback = "2.5",
+                                           .unit = "cells per unit",
+                                           .help = "of the coarsest octave"},
+                                          BL_SEEING_PARAMETERS(marble_parameters, filter_words),
+                                          {.key = NULL}};
+
+BL_TEXTURE_DESCRIPTOR(marble) = {
+    .name = "marble",
+    .title = "blue marble",
+    .summary = "A sum of octaves of noise through a map of blues, solid.",
+    .formula = "spline(clamp(2 sum_i noise(scale p 2.17^i) / 2.17^i + 3/4, 0, 1))",
+    .paper = "peachey2003, fig. 2.40",
+    .dimensions = 3,
+    .parameters = parameters,
+    .parameters_size = sizeof(marble_parameters),
+    .seed_offset = offsetof(marble_parameters, seed),
+    .describe = describe,
+    .picture = {.scale = 2, .at = {0, 0, 0.4}},
+    .functions = {BL_TEXTURE_FUNCTIONS, .build = build, .release = release}};
