@@ -32,7 +32,7 @@ typedef struct layout {
 
 // Grey images, with their scale beside them.
 static int shows_images(const bl_plot *plot) {
-    return plot->panel_count > 0 && plot->panels[0].image && !plot->panels[0].coloured;
+    return plot->panel_count > 0 && plot->panels[0].image && !plot->coloured;
 }
 
 static layout lay_out(const bl_plot *plot) {
@@ -312,7 +312,7 @@ static void put_panel(FILE *out, const bl_plot *plot, const layout *l, size_t in
     if (index == 0)
         put_page_texts(out, plot, l);
     if (panel->image) {
-        if (panel->coloured)
+        if (plot->coloured)
             put_coloured_image(out, plot, index);
         else
             put_image(out, plot, l, index);

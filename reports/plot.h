@@ -58,7 +58,6 @@ typedef struct bl_panel {
     size_t series_count;
     const char *image; // or a grey PNG file, shown with the scale black to white; its upper left
                        // corner stands at 0, 0, so y.from > y.to shows it upright
-    int coloured;      // the PNG is in colour, shown as it is and without a scale
 } bl_panel;
 
 typedef struct bl_axis {
@@ -78,6 +77,7 @@ typedef struct bl_plot {
     double aspect;  // height of a panel over its width; 0: 0.62
     const bl_limit *limits;
     size_t limit_count;
+    int coloured;            // image panels are in colour, shown as they are and without a scale
     double black, white;     // of image panels: the values of PNG codes 0 and full scale
     double pixel;            // of image panels: the size of a pixel in units of the axes
     const char *scale_label; // of image panels: the name of the value

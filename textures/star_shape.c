@@ -38,7 +38,7 @@ typedef struct polygon {
     unsigned count;
 } polygon;
 
-// What of the polygon lies where sign * (coordinate - limit) <= 0, after Sutherland and Hodgman. Of
+// What of the polygon lies where sign * (coordinate - limit) <= 0, after sutherland1974. Of
 // a hollow polygon, pieces hang together by bridges along the limit, which have no area.
 static void cut(polygon *shape, int axis, double sign, double limit) {
     polygon kept = {.count = 0};

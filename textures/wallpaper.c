@@ -43,6 +43,7 @@ typedef struct wallpaper_parameters {
     uint32_t cells, form;
     bl_seeing seeing;
     double share; // of stars, made on opening
+    double reach; // of a star from the middle of its cell along each axis, likewise
 } wallpaper_parameters;
 
 enum { NEIGHBOURS, ONE };
@@ -76,10 +77,12 @@ static double share_of_stars(const wallpaper_parameters *p, const double at[BL_A
     t -= row + 0.5;
     if (p->cells == ONE)
         return star_of(p, column, row, s, t, width);
-    double most = 0;
+    // Beyond a tip, the filtered step falls along the axis 3.9 times slower than across the edges.
+    double most = 0, reach = p->reach + (p->seeing.filter == NONE ? 0 : 2 * (width[0] + width[1]));
     for (int j = -1; j <= 1; j++)
         for (int i = -1; i <= 1; i++)
-            if (is_present(p, column + (p->form ? 0 : i), row + j))
+            if (fabs(s - i) <= reach && fabs(t - j) <= reach &&
+                is_present(p, column + (p->form ? 0 : i), row + j))
                 most = fmax(most, star_of(p, column + i, row + j, s - i, t - j, width));
     return most;
 }
@@ -111,6 +114,9 @@ static bl_status build(void *block, bl_message *message) {
     bl_status status = bl_noise_source_open(&p->noise, p->noise.text, 2, message);
     if (status != BL_OK)
         return status;
+    const bl_facts *facts = &p->noise.signal->facts;
+    double bound = fmax(fabs(facts->lower), fabs(facts->upper)); // of a noise without one, NaN
+    p->reach = isfinite(bound) ? 0.6 * bound + star.outer : INFINITY;
     int present = 0;
     for (int j = 0; j < CELLS; j++)
         for (int i = 0; i < CELLS; i++)

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+//
+// peachey-2.25: bricks with grooves, and what is left of their shading from afar.
+#include <math.h>
+
+#include "reports/figures/estimates.h"
+#include "reports/figures/pictures.h"
+
+// The mean light of a band of the groove around one brick: red over the brick's own red.
+static double light_of(const bl_signal *bump, const bl_signal *flat, double s, double t) {
+    double rgb[3], base[3];
+    const double at[BL_AXES] = {s, t}, point[BL_AXES] = {0};
+    bl_signal_colour(bump, at, point, rgb);
+    bl_signal_colour(flat, at, point, base);
+    return rgb[0] / base[0];
+}
+
+// Over the middle half of a joint's quarter: from its deepest line up to the brick.
+static double light_across(const bl_signal *bump, const bl_signal *flat, int vertical, double from,
+                           double to) {
+    enum { STEPS = 200 };
+    double sum = 0;
+    for (int i = 0; i < STEPS; i++) {
+        double across = from + (to - from) * (i + 0.5) / STEPS;
+        sum += vertical ? light_of(bump, flat, across, 0.045) : light_of(bump, flat, 0.13, across);
+    }
+    return sum / STEPS;
+}
+
+static void claim_all(bl_run *run, const bl_signal *bump, const bl_signal *slope,
+                      const bl_signal *flat) {
+    double level = light_of(bump, flat, 0.13, 0.045);
+    // The first brick's groove: its left and lower sides rise to the right and upwards, so that
+    // they look to the left and down; the light comes from the upper left.
+    double left = light_across(bump, flat, 1, 0, 0.005);
+    double right = light_across(bump, flat, 1, 0.255, 0.26);
+    double top = light_across(bump, flat, 0, 0.085, 0.09);
+    double bottom = light_across(bump, flat, 0, 0, 0.005);
+    bl_make_claim(
+        run, "peachey2003, Bump-Mapped Brick",
+        "Bent normals look like grooves: the side of a brick that faces the light is lighter "
+        "than the one that faces away, left against right.",
+        "light on the slopes, light from the upper left", "of full light", 0.05, 1,
+        bl_exactly(left - right, 400), "places");
+    bl_make_claim(run, "peachey2003, Bump-Mapped Brick", "The same, upper against lower side.",
+                  "light on the slopes", "of full light", 0.05, 1, bl_exactly(top - bottom, 400),
+                  "places");
+    bl_make_claim(run, "bandlimit",
+                  "Light is not linear in the slope: four slopes around a brick have less light "
+                  "together than the flat wall.",
+                  "mean of the four slopes minus the flat wall", "of full light", -INFINITY, 0,
+                  bl_exactly((left + right + top + bottom) / 4 - level, 800), "places");
+    const double at[BL_AXES] = {0.1, 0.2}, far[BL_AXES] = {50, 50};
+    const double all[BL_AXES] = {INFINITY, INFINITY, INFINITY, INFINITY};
+    double mean = bl_signal_filtered(bump, at, all), averaged = bl_signal_filtered(slope, at, far);
+    bl_make_claim(run, "peachey2003, Determining the Sampling Rate",
+                  "Filtering the height as wide as the colour is not enough for a bump: averaged "
+                  "slopes are flat from afar, and lighter than the wall by a part of its light.",
+                  "filter=slope at 50 units, over the mean", "of the mean", 0.001, 1,
+                  bl_exactly(averaged / mean - 1, 65536), "places");
+}
+
+static bl_status run_figure(bl_run *run, bl_message *message) {
+    static const char *const texts[] = {"bumpbrick", "bumpbrick:filter=slope", "brick"};
+    bl_signal *wall[3] = {NULL};
+    bl_status status = BL_OK;
+    for (int i = 0; i < 3 && status == BL_OK; i++)
+        status = bl_pictures_open(texts[i], &wall[i], message);
+    const bl_shown shown[] = {{.key = "bumps",
+                               .title = "bumpbrick",
+                               .signal = wall[0],
+                               .at = {0.35, 0.2},
+                               .scale = 0.6,
+                               .samples = 3},
+                              {.key = "flat",
+                               .title = "brick, without bumps",
+                               .signal = wall[2],
+                               .at = {0.35, 0.2},
+                               .scale = 0.6,
+                               .samples = 3},
+                              {.key = "slope",
+                               .title = "averaged slopes, few pixels",
+                               .signal = wall[1],
+                               .at = {0.35, 0.2},
+                               .scale = 0.6,
+                               .pixels = 48,
+                               .filtered = 1}};
+    const bl_pictures pictures = {
+        .name = "bumps",
+        .title = "What does a bent normal add to bricks?",
+        .alternative =
+            "Bricks with mortar in grooves that are light on one side and dark on the "
+            "other; the same without grooves; and with 48 by 48 pixels.",
+        .shown = shown,
+        .count = 3,
+        .columns = 3,
+        .pixels = 48 * (unsigned)bl_run_pick(run, 4, 8, 20),
+        .upwards = 1,
+        .unit = "pictures of 0.6 units"};
+    if (status == BL_OK)
+        status = bl_pictures_draw(run, &pictures, message);
+    if (status == BL_OK)
+        claim_all(run, wall[0], wall[1], wall[2]);
+    for (int i = 0; i < 3; i++)
+        bl_signal_free(wall[i]);
+    return status;
+}
+
+BL_FIGURE_DESCRIPTOR(peachey_2_25) = {
+    .name = "peachey-2.25",
+    .title = "The bump-mapped brick texture",
+    .question = "What does a bent normal add to bricks?",
+    .paper = "peachey2003, fig. 2.25",
+    .shows =
+        "A wall whose mortar lies in grooves, 0.003 units deep, lit from one side; the wall "
+        "without grooves; and the grooved wall at few pixels, with its slopes averaged over each.",
+    .run = run_figure};

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "reports/figures/pictures.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/grid.h"
+#include "reports/source.h"
+
+bl_status bl_pictures_open(const char *text, bl_signal **signal, bl_message *message) {
+    return bl_source_open(text, BL_ISA_BEST, signal, message);
+}
+
+// The place of the panel at (x, y), in pictures from its upper left corner; 0 for the background.
+static int place_of(const bl_shown *shown, int upwards, double x, double y, double at[BL_AXES]) {
+    memcpy(at, shown->at, sizeof shown->at);
+    if (shown->see)
+        return shown->see(2 * x - 1, 1 - 2 * y, at);
+    at[0] += shown->scale * (x - 0.5);
+    at[1] += shown->scale * (upwards ? 0.5 - y : y - 0.5);
+    return 1;
+}
+
+static void draw_pixel(const bl_shown *shown, const bl_signal *signal, int upwards, unsigned pixels,
+                       size_t i, size_t j, float out[3]) {
+    unsigned samples = shown->filtered || !shown->samples ? 1 : shown->samples;
+    double wide = shown->filtered ? shown->scale / pixels : bl_signal_own_width(signal);
+    const double width[BL_AXES] = {wide, wide, wide, wide};
+    double sum[3] = {0};
+    for (unsigned k = 0; k < samples * samples; k++) {
+        double x = ((double)i + (k % samples + 0.5) / samples) / pixels, at[BL_AXES];
+        double y = ((double)j + (k / samples + 0.5) / samples) / pixels, rgb[3] = {1, 1, 1};
+        if (place_of(shown, upwards, x, y, at))
+            bl_signal_colour(signal, at, width, rgb);
+        for (int c = 0; c < 3; c++)
+            sum[c] += rgb[c] / (samples * samples);
+    }
+    for (int c = 0; c < 3; c++)
+        out[c] = (float)sum[c];
+}
+
+// All panels of a plot have the same numbers of pixels: coarse ones are drawn as squares.
+static bl_status draw_one(bl_run *run, const bl_shown *shown, unsigned full, int upwards,
+                          bl_message *message) {
+    bl_signal *opened = NULL;
+    bl_status status = BL_OK;
+    unsigned pixels = shown->pixels ? shown->pixels : full, times = full / pixels;
+    if (!shown->signal)
+        status = bl_pictures_open(shown->text, &opened, message);
+    if (status != BL_OK)
+        return status;
+    const bl_signal *signal = shown->signal ? shown->signal : opened;
+    float *values = calloc((size_t)full * full * 3, sizeof *values);
+    if (values) {
+#pragma omp parallel for num_threads(bl_thread_count(bl_run_settings(run)->threads))               \
+    schedule(dynamic, 4)
+        for (size_t j = 0; j < full; j++)
+            for (size_t i = 0; i < full; i++)
+                draw_pixel(shown, signal, upwards, pixels, i / times, j / times,
+                           values + 3 * (full * j + i));
+        const bl_attribute attribute = {"bandlimit:signal", signal->text};
+        const bl_image image = {.width = full,
+                                .height = full,
+                                .channels = 3,
+                                .values = values,
+                                .spacing = shown->scale / full,
+                                .white = 1,
+                                .srgb = 1,
+                                .attributes = &attribute,
+                                .attribute_count = 1};
+        status = bl_run_image(run, shown->key, &image, message);
+    } else {
+        status = bl_report(message, BL_DEVICE, "out of memory");
+    }
+    free(values);
+    bl_signal_free(opened);
+    return status;
+}
+
+static bl_status plot_all(bl_run *run, const bl_pictures *pictures, bl_message *message) {
+    bl_panel *panels = calloc(pictures->count, sizeof *panels);
+    if (!panels)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    for (size_t i = 0; i < pictures->count; i++)
+        panels[i] = (bl_panel){.title = pictures->shown[i].title,
+                               .image = bl_run_text(run, "%s.png", pictures->shown[i].key)};
+    const bl_plot plot = {
+        .title = pictures->title,
+        .x = {bl_run_text(run, "s, %s", pictures->unit), 0, 1, 0.25},
+        .y = {bl_run_text(run, "%s, %s", pictures->upwards ? "-t" : "t", pictures->unit), 1, 0,
+              0.25},
+        .panels = panels,
+        .panel_count = pictures->count,
+        .columns = pictures->columns,
+        .aspect = 1,
+        .coloured = 1,
+        .pixel = 1.0 / pictures->pixels};
+    bl_status status = bl_run_plot(run, pictures->name, &plot, pictures->alternative, message);
+    free(panels);
+    return status;
+}
+
+bl_status bl_pictures_draw(bl_run *run, const bl_pictures *pictures, bl_message *message) {
+    bl_status status = BL_OK;
+    bl_run_step(run, "pictures");
+    for (size_t i = 0; i < pictures->count && status == BL_OK; i++) {
+        const bl_shown *shown = &pictures->shown[i];
+        bl_run_setting(run, bl_run_text(run, "picture %s", shown->key),
+                       shown->signal ? shown->signal->text : shown->text);
+        status = draw_one(run, shown, pictures->pixels, pictures->upwards, message);
+    }
+    return status == BL_OK ? plot_all(run, pictures, message) : status;
+}

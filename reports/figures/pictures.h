@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// Pictures of textures side by side, in colour, one panel each.
+#ifndef BL_REPORTS_FIGURES_PICTURES_H
+#define BL_REPORTS_FIGURES_PICTURES_H
+
+#include "core/signal.h"
+#include "reports/experiment.h"
+
+// One panel. Its places are those of a square about `at`, s to the right and t downwards as in the
+// text's pictures, unless `see` says what stands at (x, y) in [-1, 1] (y upwards): it fills the
+// place, or gives 0 for the background, which is white.
+typedef struct bl_shown {
+    const char *key;         // of the file: letters, digits and '-'
+    const char *title;       // of the panel
+    const char *text;        // of the signal
+    const bl_signal *signal; // NULL: opened from the text
+    double at[BL_AXES];
+    double scale;     // units across
+    unsigned pixels;  // across; 0: those of the set. Fewer of them show what a filter does
+    int filtered;     // the signal filters itself for the pixel's width; else it is averaged over
+                      // `samples` x `samples` places in it
+    unsigned samples; // 0: one, in the middle
+    int (*see)(double x, double y, double at[BL_AXES]);
+} bl_shown;
+
+typedef struct bl_pictures {
+    const char *name; // of the plot
+    const char *title, *alternative;
+    const bl_shown *shown;
+    size_t count, columns;
+    unsigned pixels;
+    int upwards;      // t runs upwards, as in views and in `render`
+    const char *unit; // of the axes, which run from 0 to 1 picture
+} bl_pictures;
+
+// Writes KEY.exr (linear) and KEY.png (sRGB) for each and the plot of all. Errors: those of opening
+// a signal and of writing files.
+bl_status bl_pictures_draw(bl_run *run, const bl_pictures *pictures, bl_message *message);
+
+// Opens a texture for a figure, by its text. The caller frees it with bl_signal_free.
+bl_status bl_pictures_open(const char *text, bl_signal **signal, bl_message *message);
+
+#endif
