@@ -9,6 +9,7 @@
 #include "aliasing/view.h"
 #include "cli/json.h"
 #include "cli/plain.h"
+#include "cli/show_filter.h"
 #include "cli/verb.h"
 #include "cli/words.h"
 #include "core/continuity.h"
@@ -186,29 +187,6 @@ static bl_status show_definition(bl_call *call, const bl_definition *definition,
     return BL_OK;
 }
 
-static bl_status show_filter(bl_call *call, const bl_filter *filter) {
-    char class[16];
-    json_t *object = bl_json_start(call);
-    if (object) {
-        bl_json_set_text(object, "kind", "filter");
-        bl_json_set_text(object, "name", filter->name);
-        bl_json_set_text(object, "title", filter->title);
-        bl_json_set_text(object, "summary", filter->summary);
-        bl_json_set_text(object, "formula", filter->formula);
-        bl_json_set_text(object, "paper", filter->paper);
-        bl_json_set_number(object, "support_widths", filter->support);
-        bl_json_set_text(object, "continuity",
-                         bl_continuity_text(filter->continuity, class, sizeof class));
-        return BL_OK;
-    }
-    fprintf(call->out, "%s: %s\n\n%s\n\nkernel       %s\n", filter->name, filter->title,
-            filter->summary, filter->formula);
-    fprintf(call->out, "source       %s\nsupport      %g widths to both sides\ncontinuity   %s\n",
-            filter->paper, filter->support,
-            bl_continuity_text(filter->continuity, class, sizeof class));
-    return BL_OK;
-}
-
 static bl_status show_view(bl_call *call, const bl_view_kind *view) {
     json_t *object = bl_json_start(call);
     if (object) {
@@ -314,8 +292,18 @@ static bl_status report_unknown(bl_call *call, const char *name) {
                      name, near ? "; did you mean '" : "", near ? near : "", near ? "'? " : "; ");
 }
 
+typedef struct show_settings {
+    const char *plot;
+} show_settings;
+
 static bl_status run_show(bl_call *call) {
+    const show_settings *settings = call->settings;
     const char *text = call->operands.words[0];
+    if (settings->plot && !bl_filter_find(text))
+        return bl_report(&call->message, BL_USAGE,
+                         "--plot draws filters, and '%s' is none; `bandlimit list filters` shows "
+                         "them, `render` and `spectrum` draw signals",
+                         text);
     const bl_figure *figure = bl_figure_find(text);
     if (figure)
         return show_figure(call, figure);
@@ -331,7 +319,7 @@ static bl_status run_show(bl_call *call) {
     if (definition)
         status = show_definition(call, definition, text);
     else if (filter && !spec.count)
-        status = show_filter(call, filter);
+        status = bl_show_filter(call, filter, settings->plot);
     else if (view && !spec.count)
         status = show_view(call, view);
     else
@@ -339,6 +327,14 @@ static bl_status run_show(bl_call *call) {
     bl_spec_free(&spec);
     return status;
 }
+
+static const bl_option options[] = {
+    {.name = "plot",
+     .kind = BL_OPTION_WORD,
+     .offset = offsetof(show_settings, plot),
+     .value = "PATH",
+     .help = "of a filter: draw kernel, step and response to PATH, which ends in .svg or .png"},
+    {0}};
 
 const bl_verb bl_verb_show = {
     .name = "show",
@@ -351,6 +347,7 @@ const bl_verb bl_verb_show = {
     .least = 1,
     .most = 1,
     .output_help = "write the text to PATH instead of stdout",
-    .options = bl_no_options,
+    .options = options,
+    .settings_size = sizeof(show_settings),
     .run = run_show,
 };

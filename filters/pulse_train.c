@@ -159,7 +159,7 @@ enum { LAST_FREQUENCY = 3, FEW_HARMONICS = 64 };
 static const double gaussian_reach = 4.2;
 
 static double endless(const bl_filter *filter, pulse p, double x, double width) {
-    if (filter->step(-gaussian_reach) < 0x1p-53) {
+    if (fabs(filter->step(-gaussian_reach)) < 0x1p-53) {
         if (width < 0.5) // else at most six waves
             return by_steps(filter, gaussian_reach, p, x, width);
         return by_harmonics(filter, ceil(LAST_FREQUENCY / width), p, x, width);

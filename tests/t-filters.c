@@ -10,6 +10,7 @@
 #include <gsl/gsl_sf_expint.h>
 
 #include "filters/filter.h"
+#include "filters/response.h"
 #include "filters/sine_integral.h"
 
 enum { WORKSPACE = 2000 };
@@ -314,6 +315,44 @@ static void test_zeros_at_the_sampling_frequency(void **state) {
     assert_near(bl_filter_find("smoothstep")->response(1), 3 / (M_PI * M_PI), 1e-15);
 }
 
+// The measured numbers, where they are known in closed form or by the other route.
+static void test_measured_numbers(void **state) {
+    (void)state;
+    for_each_filter(filter) {
+        bl_filter_numbers n = bl_filter_measure(filter);
+        if (!is_ideal(filter)) // whose power falls there at once
+            assert_near(filter->response(n.half_power), M_SQRT1_2, 1e-9);
+        // Without a closed form: the powers as sums over a fine grid of frequencies.
+        double alias = 0, blur = 0, h = 1.0 / 512;
+        for (double f = 0.5 * h; f < 60; f += h) {
+            double passed = filter->response(f);
+            alias += f > 0.5 ? 2 * h * passed * passed : 0;
+            blur += f < 0.5 ? 2 * h * (1 - passed) * (1 - passed) : 0;
+        }
+        // The box leaves 1/(pi^2 60) beyond, the parabola and the tent far less.
+        assert_near(n.alias, alias, filter->continuity < 0 ? 2e-3 : 3e-5);
+        assert_near(n.blur, blur, 3e-6); // the sum: h^2/12 times a slope below 10
+    }
+    bl_filter_numbers box = bl_filter_measure(bl_filter_find("box"));
+    assert_near(box.first_zero, 1, 1e-7);
+    assert_near(box.lobe_frequency * M_PI, 4.493409457909064, 1e-6); // tan a = a
+    assert_near(box.lobe, -0.217233628211222, 1e-9);
+    assert_true(box.overshoot == 0 && isnan(box.overshoot_at));
+    bl_filter_numbers catmull = bl_filter_measure(bl_filter_find("catmull-rom"));
+    assert_near(catmull.first_zero, 1, 0);
+    assert_near(catmull.overshoot, 1.0 / 24, 1e-15);
+    assert_near(bl_filter_measure(bl_filter_find("tent")).first_zero, 1, 0);
+    bl_filter_numbers gaussian = bl_filter_measure(bl_filter_find("gaussian"));
+    assert_near(gaussian.half_power, sqrt(log(2)) / M_PI, 1e-9);
+    assert_true(isnan(gaussian.first_zero) && isnan(gaussian.lobe));
+    bl_filter_numbers sinc = bl_filter_measure(bl_filter_find("sinc"));
+    assert_near(sinc.first_zero, 0.5, 1e-9);
+    assert_near(sinc.half_power, 0.5, 1e-9);
+    assert_near(sinc.alias, 0, 1e-12);
+    assert_near(sinc.blur, 0, 1e-12);
+    assert_true(isnan(sinc.lobe));
+}
+
 static void test_the_sine_integral_is_that_of_gsl(void **state) {
     (void)state;
     const double euler = 0.57721566490153286061;
@@ -378,6 +417,7 @@ int main(void) {
         cmocka_unit_test(test_responses_are_their_formulas),
         cmocka_unit_test(test_overshoots_are_those_stated),
         cmocka_unit_test(test_zeros_at_the_sampling_frequency),
+        cmocka_unit_test(test_measured_numbers),
         cmocka_unit_test(test_the_sine_integral_is_that_of_gsl),
         cmocka_unit_test(test_the_auxiliary_functions_are_their_integrals),
     };

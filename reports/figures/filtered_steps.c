@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: MIT
+//
+// filtered-steps: what each filter of the registry makes of a step, and what it passes of each
+// frequency.
+#include <math.h>
+
+#include "core/quadrature.h"
+#include "filters/response.h"
+#include "reports/figures/estimates.h"
+
+static const char section[] = "peachey2003, Better Filters";
+
+enum { FILTERS_MOST = 16, PLACES = 641, FREQUENCIES = 801 };
+static const double reach = 4, highest = 4, floor_db = -80;
+
+static size_t count_of(void) {
+    size_t count = bl_filter_count();
+    return count < FILTERS_MOST ? count : FILTERS_MOST;
+}
+
+// --- plots --------------------------------------------------------------------------------------
+
+static bl_status draw_steps(bl_run *run, bl_message *message) {
+    static double x[PLACES], step[FILTERS_MOST][PLACES], kernel[FILTERS_MOST][PLACES];
+    bl_column columns[1 + 2 * FILTERS_MOST] = {{"distance_widths", x, NULL}};
+    bl_series series[FILTERS_MOST][2];
+    bl_panel panels[FILTERS_MOST];
+    size_t count = count_of();
+    for (int i = 0; i < PLACES; i++)
+        x[i] = reach * (2.0 * i / (PLACES - 1) - 1);
+    for (size_t f = 0; f < count; f++) {
+        const bl_filter *filter = bl_filter_at(f);
+        for (int i = 0; i < PLACES; i++) {
+            step[f][i] = filter->step(x[i]);
+            kernel[f][i] = filter->kernel(x[i]);
+        }
+        columns[1 + 2 * f] = (bl_column){bl_run_text(run, "%s_step", filter->name), step[f], NULL};
+        columns[2 + 2 * f] =
+            (bl_column){bl_run_text(run, "%s_kernel", filter->name), kernel[f], NULL};
+        for (int k = 0; k < 2; k++)
+            series[f][k] = (bl_series){k ? BL_STROKE_THIN : BL_STROKE_LINE,
+                                       k ? BL_INK_FOURTH : BL_INK_MEASURED,
+                                       "steps.csv",
+                                       "distance_widths",
+                                       columns[1 + 2 * f + (size_t)k].name,
+                                       NULL,
+                                       k ? "kernel" : "step",
+                                       0};
+        panels[f] = (bl_panel){filter->name, series[f], 2, NULL};
+    }
+    bl_status status = bl_run_csv(run, "steps", "filtered steps and their kernels", columns,
+                                  1 + 2 * count, PLACES, message);
+    const bl_plot plot = {
+        .title = "What does each filter make of a step?",
+        .x = {.label = "distance from the edge, widths", .from = -reach, .to = reach, .tick = 2},
+        .y = {.label = "value", .from = -0.3, .to = 1.6, .tick = 0.5},
+        .panels = panels,
+        .panel_count = count,
+        .columns = 4,
+        .aspect = 0.8};
+    return status == BL_OK
+               ? bl_run_plot(run, "steps", &plot,
+                             "A panel for each filter: its kernel and the step that it makes. "
+                             "Those of box, tent, parabola and Gaussian rise all the way; "
+                             "Catmull-Rom, Mitchell, Lanczos and sinc dip below 0 and rise above "
+                             "1, sinc again and again.",
+                             message)
+               : status;
+}
+
+static bl_status draw_responses(bl_run *run, bl_message *message) {
+    static double frequency[FREQUENCIES], response[FILTERS_MOST][FREQUENCIES];
+    bl_column columns[1 + FILTERS_MOST] = {{"frequency_cycles_per_width", frequency, NULL}};
+    bl_series series[FILTERS_MOST];
+    bl_panel panels[FILTERS_MOST];
+    size_t count = count_of();
+    for (size_t f = 0; f < count; f++) {
+        const bl_filter *filter = bl_filter_at(f);
+        for (int i = 0; i < FREQUENCIES; i++) {
+            frequency[i] = highest * i / (FREQUENCIES - 1);
+            response[f][i] = fmax(20 * log10(fabs(filter->response(frequency[i]))), floor_db - 20);
+        }
+        columns[1 + f] = (bl_column){bl_run_text(run, "%s_db", filter->name), response[f], NULL};
+        series[f] = (bl_series){BL_STROKE_LINE,      BL_INK_MEASURED,
+                                "responses.csv",     "frequency_cycles_per_width",
+                                columns[1 + f].name, NULL,
+                                "response",          0};
+        panels[f] = (bl_panel){filter->name, &series[f], 1, NULL};
+    }
+    bl_status status =
+        bl_run_csv(run, "responses", "responses in dB of that at 0, cut off below -100 dB", columns,
+                   1 + count, FREQUENCIES, message);
+    const bl_limit limits[] = {{1, 0.5, "Nyquist"}};
+    const bl_plot plot = {
+        .title = "What does each filter pass of each frequency?",
+        .x = {.label = "frequency, cycles per width", .to = highest, .tick = 1},
+        .y = {.label = "response, dB of that at 0", .from = floor_db, .to = 10, .tick = 20},
+        .panels = panels,
+        .panel_count = count,
+        .columns = 4,
+        .aspect = 0.8,
+        .limits = limits,
+        .limit_count = 1};
+    return status == BL_OK
+               ? bl_run_plot(run, "responses", &plot,
+                             "A panel for each filter: the response in decibels over the "
+                             "frequency. The side lobes of the box fall slowest; the Gaussian has "
+                             "none; sinc ends at the Nyquist frequency.",
+                             message)
+               : status;
+}
+
+// --- numbers ------------------------------------------------------------------------------------
+
+static bl_status write_numbers(bl_run *run, const bl_filter_numbers *numbers, bl_message *message) {
+    double values[9][FILTERS_MOST];
+    const char *words[FILTERS_MOST];
+    size_t count = count_of();
+    for (size_t f = 0; f < count; f++) {
+        const bl_filter_numbers *n = &numbers[f];
+        const double row[9] = {n->half_power,
+                               20 * log10(n->nyquist),
+                               n->first_zero,
+                               n->lobe_frequency,
+                               20 * log10(fabs(n->lobe)),
+                               n->overshoot,
+                               n->overshoot_at,
+                               n->alias,
+                               n->blur};
+        for (int k = 0; k < 9; k++)
+            values[k][f] = row[k];
+        words[f] = bl_filter_at(f)->name;
+    }
+    static const char *const names[9] = {"half_power_cycles_per_width",
+                                         "nyquist_db",
+                                         "first_zero_cycles_per_width",
+                                         "lobe_cycles_per_width",
+                                         "lobe_db",
+                                         "overshoot",
+                                         "overshoot_widths",
+                                         "white_alias",
+                                         "white_blur"};
+    bl_column columns[10] = {{"filter", NULL, words}};
+    for (int k = 0; k < 9; k++)
+        columns[1 + k] = (bl_column){names[k], values[k], NULL};
+    return bl_run_csv(run, "numbers", "responses and steps in numbers", columns, 10, count,
+                      message);
+}
+
+// How far a filter is from the ideal one on the spectrum 1/f^2 of a step, in widths: int over all f
+// of |H - H_ideal|^2 / (2 pi f)^2, which is the integral over x of the squared difference of the
+// two filtered steps. Beyond 64 what is left is below 2 (0.0052/64)^2.
+static double distance_of_steps(const bl_filter *filter, double widening) {
+    double sum = 0;
+    const double part = 1.0 / 16;
+    for (double left = 0; left < 64; left += part)
+        for (int n = 0; n < BL_QUADRATURE_NODES; n++) {
+            double f = left + 0.5 * part * (1 + bl_quadrature_node[n]);
+            double missing = (f < 0.5) - filter->response(f * widening);
+            sum += part * bl_quadrature_weight[n] * missing * missing / (4 * M_PI * M_PI * f * f);
+        }
+    return sum;
+}
+
+static void claim_ideal(bl_run *run, const bl_filter_numbers *box,
+                        const bl_filter_numbers *parabola) {
+    const bl_filter *flat = bl_filter_find("box"), *curved = bl_filter_find("smoothstep");
+    static const char sentence[] =
+        "Smoothstep in place of the step is like a quadratic filter, which is a better "
+        "approximation to the ideal filter than the box: the squared difference to the ideal "
+        "response with the box, minus that with smoothstep.";
+    double white = box->alias + box->blur - parabola->alias - parabola->blur;
+    bl_make_claim(run, section, sentence, "white noise, both one width wide",
+                  "of the power below "
+                  "the Nyquist frequency",
+                  0, INFINITY, bl_exactly(white, 1), "pair");
+    bl_make_claim(run, section, sentence, "a step, both one width wide", "widths", 0, INFINITY,
+                  bl_exactly(distance_of_steps(flat, 1) - distance_of_steps(curved, 1), 1), "pair");
+    bl_make_claim(run, section, sentence, "a step, smoothstep over 1.5 widths and the box over one",
+                  "widths", 0, INFINITY,
+                  bl_exactly(distance_of_steps(flat, 1) - distance_of_steps(curved, 1.5), 1),
+                  "pair");
+}
+
+static double lowest_of(const bl_filter *filter) {
+    double lowest = 0;
+    for (double t = 0; t < 5; t += 1.0 / 256)
+        lowest = fmin(lowest, filter->kernel(t));
+    return lowest;
+}
+
+static void claim_lobes(bl_run *run, const bl_filter_numbers *numbers) {
+    double blur[2] = {0, 0}, least_overshoot = INFINITY, deepest = -INFINITY;
+    int count[2] = {0, 0};
+    for (size_t f = 0; f < count_of(); f++) {
+        const bl_filter *filter = bl_filter_at(f);
+        double lowest = lowest_of(filter);
+        int negative = lowest < 0;
+        blur[negative] += numbers[f].blur;
+        count[negative]++;
+        if (negative)
+            least_overshoot = fmin(least_overshoot, numbers[f].overshoot);
+        if (filter == bl_filter_find("sinc") || filter == bl_filter_find("catmull-rom"))
+            deepest = fmax(deepest, lowest);
+    }
+    bl_make_claim(run, section,
+                  "Filters such as sinc and Catmull-Rom have negative lobes: the higher of their "
+                  "lowest values.",
+                  "kernels over 5 widths", "", -1, -1e-3, bl_exactly(deepest, 2), "filters");
+    bl_make_claim(run, section,
+                  "Filters with negative lobes generally produce sharper patterns: the mean blur "
+                  "of white noise of those without, minus that of those with.",
+                  bl_run_text(run, "%d filters without, %d with", count[0], count[1]),
+                  "of the power below the Nyquist frequency", 0, 1,
+                  bl_exactly(blur[0] / count[0] - blur[1] / count[1], count[0] + count[1]),
+                  "filters");
+    bl_make_claim(run, section,
+                  "... although they ring: the least overshoot of a step under a filter with "
+                  "negative lobes.",
+                  "all filters with negative lobes", "of the step", 1e-3, 1,
+                  bl_exactly(least_overshoot, count[1]), "filters");
+}
+
+// The step against sums of the kernel at the middles of 2^14 intervals a width.
+static void claim_integrals(bl_run *run) {
+    const double h = 0x1p-14;
+    const bl_filter *filter = bl_filter_find("catmull-rom");
+    double sum = 0, off = 0;
+    for (double t = -2; t < 2; t += h) {
+        sum += h * filter->kernel(t + 0.5 * h);
+        off = fmax(off, fabs(sum - filter->step(t + h)));
+    }
+    bl_make_claim(run, section,
+                  "The convolution of the Catmull-Rom filter with a step is the integral of the "
+                  "filter: the largest difference of catstep to a sum over the kernel.",
+                  "2^14 values of the kernel a width", "", 0, 1e-8, bl_exactly(off, 65536),
+                  "places");
+}
+
+static bl_status run_figure(bl_run *run, bl_message *message) {
+    bl_filter_numbers numbers[FILTERS_MOST], *box = NULL, *parabola = NULL;
+    for (size_t f = 0; f < count_of(); f++) {
+        numbers[f] = bl_filter_measure(bl_filter_at(f));
+        if (bl_filter_at(f) == bl_filter_find("box"))
+            box = &numbers[f];
+        if (bl_filter_at(f) == bl_filter_find("smoothstep"))
+            parabola = &numbers[f];
+    }
+    bl_status status = draw_steps(run, message);
+    if (status == BL_OK)
+        status = draw_responses(run, message);
+    if (status == BL_OK)
+        status = write_numbers(run, numbers, message);
+    if (status == BL_OK && box && parabola)
+        claim_ideal(run, box, parabola);
+    if (status == BL_OK) {
+        claim_lobes(run, numbers);
+        claim_integrals(run);
+    }
+    return status;
+}
+
+static const bl_term terms[] = {
+    {"width", "of a filter: the distance of the samples that it serves"},
+    {"alias of white noise", "the power above the Nyquist frequency that the filter leaves"},
+    {"blur of white noise", "the power of what it changes below the Nyquist frequency"},
+    {0}};
+
+BL_FIGURE_DESCRIPTOR(filtered_steps) = {
+    .name = "filtered-steps",
+    .title = "All filtered steps and their responses",
+    .question = "What does each filter make of a step, and what does it pass?",
+    .paper = "peachey2003, Better Filters",
+    .terms = terms,
+    .shows =
+        "The step that each filter makes, with its kernel, and the response in decibels, all for "
+        "samples a width apart. numbers.csv has the -3 dB point, the first zero, the largest side "
+        "lobe, the overshoot, and alias and blur of white noise.",
+    .run = run_figure};

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+//
+// summed-area-error: the error of means read off summed-area tables of floats, against the size of
+// the image, with the law of it.
+//
+// The law. An entry at (s, t) of an image with the mean m is about m s t. Rounded once to float its
+// error is uniform within half an ulp, and an ulp lies between 1 and 2 epsilons of the number, so
+// that its deviation is about c 2^-24 m s t with c between 1/sqrt(3) and half of that. Four such
+// errors stand in a box, and the mean of (s t)^2 over the table is N^4 / 9: of the mean over a
+// pixels the error has the deviation
+//     2 c 2^-24 m N^2 / (3 a),   about 0.27 2^-24 m N^2 / a, for c the geometric mean.
+// Added up in float, each row of a box leaves two roundings of its own, h rows of them sqrt(2 h) in
+// place of 2. With the mean of the image taken off before the sums, entries are sums of random
+// signs and grow as N.
+#include <math.h>
+#include <stdlib.h>
+
+#include "core/random.h"
+#include "filters/summed_area.h"
+#include "reports/figures/estimates.h"
+
+enum { KINDS = 3, SIZES_MOST = 7, SEEDS_MOST = 16, BOX = 16, SMALLEST = 32 };
+enum { ROUNDED, ADDED, CENTRED };
+static const char *const keys[KINDS] = {"rounded", "added", "centred"};
+static const char *const labels[KINDS] = {"rounded once", "added in float", "mean taken off"};
+static const bl_sums sums_of[KINDS] = {BL_SUMS_ROUNDED, BL_SUMS_FLOAT, BL_SUMS_ROUNDED};
+
+typedef struct measured {
+    size_t sizes, seeds;
+    double side[SIZES_MOST];
+    double error[2][KINDS][SIZES_MOST][SEEDS_MOST]; // of single pixels, and of boxes
+} measured;
+
+// The deviation of the means over boxes from those of a table of pairs, which is exact.
+static double deviation(const bl_summed_area *table, const bl_summed_area *exact, size_t side,
+                        size_t box) {
+    const double size[2] = {(double)box, (double)box};
+    double sum = 0, count = 0;
+    size_t stride = box > 1 ? 3 : side > 128 ? 5 : 1; // a share of all places is enough
+    for (size_t j = 0; j + box <= side; j += stride)
+        for (size_t i = 0; i + box <= side; i += stride, count++) {
+            double x = (double)i + 0.5 * size[0], y = (double)j + 0.5 * size[1];
+            double error =
+                bl_summed_area_mean(table, x, y, size) - bl_summed_area_mean(exact, x, y, size);
+            sum += error * error;
+        }
+    return sqrt(sum / count);
+}
+
+static bl_status measure_image(measured *m, const float *values, size_t n, size_t seed, int centred,
+                               bl_message *message) {
+    size_t side = (size_t)m->side[n];
+    bl_summed_area *exact = NULL;
+    bl_status status =
+        bl_summed_area_make(values, side, side, BL_SUMS_COMPENSATED, BL_CLAMPED, &exact, message);
+    for (int k = 0; k < KINDS && status == BL_OK; k++) {
+        bl_summed_area *table = NULL;
+        if ((k == CENTRED) != centred)
+            continue;
+        status = bl_summed_area_make(values, side, side, sums_of[k], BL_CLAMPED, &table, message);
+        for (int b = 0; b < 2 && status == BL_OK; b++)
+            m->error[b][k][n][seed] = deviation(table, exact, side, b ? BOX : 1);
+        bl_summed_area_free(table);
+    }
+    bl_summed_area_free(exact);
+    return status;
+}
+
+// White noise between 0 and 1 of 24 bits, so that doubles hold all sums to the last bit.
+static bl_status measure_size(bl_run *run, measured *m, size_t n, bl_message *message) {
+    size_t pixels = (size_t)m->side[n] * (size_t)m->side[n];
+    float *values = malloc(sizeof *values * pixels);
+    bl_status status = values ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
+    bl_run_step(run, bl_run_text(run, "tables of %g by %g", m->side[n], m->side[n]));
+    for (size_t seed = 0; seed < m->seeds && status == BL_OK; seed++) {
+        bl_random random = bl_random_seed(bl_run_settings(run)->seed, 3000 + 100 * n + seed);
+        for (size_t i = 0; i < pixels; i++)
+            values[i] = (float)(floor(0x1p24 * bl_random_unit(&random)) * 0x1p-24);
+        status = measure_image(m, values, n, seed, 0, message);
+        for (size_t i = 0; i < pixels; i++)
+            values[i] -= 0.5F; // exact
+        if (status == BL_OK)
+            status = measure_image(m, values, n, seed, 1, message);
+    }
+    free(values);
+    return status;
+}
+
+// --- what is drawn ------------------------------------------------------------------------------
+
+static double law(double side, double area) {
+    return 2 / (3 * sqrt(3 * 2)) * 0x1p-24 * 0.5 * side * side / area;
+}
+
+static bl_status draw(bl_run *run, const measured *m, bl_message *message) {
+    double values[2][KINDS][SIZES_MOST], laws[2][SIZES_MOST];
+    bl_column columns[1 + 2 * (KINDS + 1)] = {{"side_pixels", m->side, NULL}};
+    bl_series series[2][KINDS + 1];
+    static const bl_ink inks[KINDS] = {BL_INK_FIFTH, BL_INK_SECOND, BL_INK_THIRD};
+    static const char *const places[2] = {"pixel", "box"};
+    size_t used = 1;
+    for (int b = 0; b < 2; b++) {
+        for (int k = 0; k <= KINDS; k++) {
+            const char *name = k < KINDS ? keys[k] : "law";
+            double *out = k < KINDS ? values[b][k] : laws[b];
+            for (size_t n = 0; n < m->sizes; n++)
+                out[n] = k < KINDS
+                             ? 20 * log10(bl_mean_estimate(m->error[b][k][n], m->seeds, 0.95).value)
+                             : 20 * log10(law(m->side[n], b ? BOX * BOX : 1));
+            columns[used] = (bl_column){bl_run_text(run, "%s_%s_db", name, places[b]), out, NULL};
+            series[b][k] = (bl_series){k < KINDS ? BL_STROKE_LINE : BL_STROKE_DASHED,
+                                       k < KINDS ? inks[k] : BL_INK_PLAIN,
+                                       "errors.csv",
+                                       "side_pixels",
+                                       columns[used].name,
+                                       NULL,
+                                       k < KINDS ? labels[k] : "the law",
+                                       0};
+            used++;
+        }
+    }
+    bl_status status =
+        bl_run_csv(run, "errors",
+                   "rms error, in dB of 1, of means read off summed-area tables of white noise "
+                   "between 0 and 1",
+                   columns, used, m->sizes, message);
+    const bl_panel panels[] = {{"means over single pixels", series[0], KINDS + 1, NULL},
+                               {"means over 16 by 16 pixels", series[1], KINDS + 1, NULL}};
+    const bl_limit limits[] = {{0, -48.13, "1/255"}};
+    const bl_plot plot = {
+        .title = "How large is the error of a summed-area table of floats?",
+        .x = {.label = "side of the image, pixels", .from = 24, .to = 2800, .logarithmic = 1},
+        .y = {.label = "rms error, dB of 1", .from = -200, .to = 0, .tick = 40},
+        .panels = panels,
+        .panel_count = 2,
+        .columns = 2,
+        .aspect = 0.9,
+        .limits = limits,
+        .limit_count = 1};
+    return status == BL_OK
+               ? bl_run_plot(
+                     run, "errors", &plot,
+                     "Error in decibels over the side of the image. Tables of floats rise by "
+                     "12 dB for each doubling of the side, on the line of the law, those "
+                     "with the mean taken off by 6; for single pixels of an image of 1024 "
+                     "the error passes 1/255.",
+                     message)
+               : status;
+}
+
+// --- claims -------------------------------------------------------------------------------------
+
+// The slope of log error over log side, by least squares, an estimate from independent images.
+static bl_estimate exponent(const measured *m, int box, int kind) {
+    double slopes[SEEDS_MOST];
+    for (size_t s = 0; s < m->seeds; s++) {
+        double x = 0, y = 0, xx = 0, xy = 0, count = (double)m->sizes;
+        for (size_t n = 0; n < m->sizes; n++) {
+            double u = log2(m->side[n]), v = log2(m->error[box][kind][n][s]);
+            x += u;
+            y += v;
+            xx += u * u;
+            xy += u * v;
+        }
+        slopes[s] = (count * xy - x * y) / (count * xx - x * x);
+    }
+    return bl_mean_estimate(slopes, m->seeds, 0.95);
+}
+
+// The error of one kind over another's, or over the law, at the largest size.
+static bl_estimate ratio(const measured *m, int box, int kind, int other) {
+    double ratios[SEEDS_MOST];
+    size_t n = m->sizes - 1;
+    for (size_t s = 0; s < m->seeds; s++)
+        ratios[s] = m->error[box][kind][n][s] /
+                    (other < 0 ? law(m->side[n], box ? BOX * BOX : 1) : m->error[box][other][n][s]);
+    return bl_mean_estimate(ratios, m->seeds, 0.95);
+}
+
+static void claim_laws(bl_run *run, const measured *m) {
+    const char *largest =
+        bl_run_text(run, "%g by %g pixels", m->side[m->sizes - 1], m->side[m->sizes - 1]);
+    bl_make_claim(
+        run, "peachey2003, Integrals and Summed-Area Tables",
+        "The table might need numbers of a higher precision than the image: the error of "
+        "single pixels in a table of floats, as steps of an image of 8 bits.",
+        bl_run_text(run, "%s, white noise", largest), "of 1/255", 0.05, INFINITY,
+        bl_exactly(255 * bl_mean_estimate(m->error[0][ROUNDED][m->sizes - 1], m->seeds, 0.95).value,
+                   (double)m->seeds),
+        "images");
+    bl_make_claim(run, "bandlimit",
+                  "The error of a table that is rounded to float grows as the area of the image: "
+                  "the exponent of the side.",
+                  "single pixels", "", 1.9, 2.1, exponent(m, 0, ROUNDED), "images");
+    bl_make_claim(run, "bandlimit",
+                  "... and its size is 2 c 2^-24 m N^2 / (3 a): the error over the law.",
+                  bl_run_text(run, "single pixels, %s", largest), "", 0.7, 1.42,
+                  ratio(m, 0, ROUNDED, -1), "images");
+    bl_make_claim(run, "bandlimit",
+                  "With the mean of the image taken off before it is summed, the error grows as "
+                  "its side: the exponent.",
+                  "single pixels", "", 0.8, 1.2, exponent(m, 0, CENTRED), "images");
+    bl_make_claim(run, "bandlimit",
+                  "Adding up in float costs sqrt(2 h) roundings for a box of h rows, not 2: the "
+                  "error over that of a table rounded once.",
+                  bl_run_text(run, "16 rows, %s", largest), "", 2.2, 3.5,
+                  ratio(m, 1, ADDED, ROUNDED), "images");
+    bl_make_claim(run, "bandlimit", "... which for a single row is less than rounding once.",
+                  bl_run_text(run, "single pixels, %s", largest), "", 0.5, 0.9,
+                  ratio(m, 0, ADDED, ROUNDED), "images");
+}
+
+static bl_status run_figure(bl_run *run, bl_message *message) {
+    measured *m = calloc(1, sizeof *m);
+    if (!m)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    m->sizes = (size_t)bl_run_pick(run, 4, 6, 7);
+    m->seeds = (size_t)bl_run_pick(run, 4, 8, 16);
+    bl_run_setting(run, "images",
+                   bl_run_text(run, "%zu of each size, white noise between 0 and 1", m->seeds));
+    bl_status status = BL_OK;
+    for (size_t n = 0; n < m->sizes && status == BL_OK; n++) {
+        m->side[n] = ldexp(SMALLEST, (int)n);
+        status = measure_size(run, m, n, message);
+    }
+    if (status == BL_OK)
+        status = draw(run, m, message);
+    if (status == BL_OK)
+        claim_laws(run, m);
+    free(m);
+    return status;
+}
+
+BL_FIGURE_DESCRIPTOR(summed_area_error) = {
+    .name = "summed-area-error",
+    .title = "The error of summed-area tables in float",
+    .question = "How large is the error of a summed-area table of floats?",
+    .paper = "crow1984; peachey2003, Integrals and Summed-Area Tables",
+    .shows =
+        "The root mean square error of means read off summed-area tables, against the side of the "
+        "image: of floats that are rounded once, of floats that are added up in float, of floats "
+        "of an image whose mean was taken off first. Broken: the law for the first. Doubles hold "
+        "the "
+        "sums of these images to the last bit.",
+    .run = run_figure};
