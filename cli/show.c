@@ -52,7 +52,7 @@ static void range_text(const bl_parameter *parameter, char *text, size_t size) {
     if (parameter->kind == BL_SEED)
         snprintf(text, size, "0 to 2^64-1");
     else if (parameter->kind == BL_TEXT)
-        snprintf(text, size, "a path");
+        snprintf(text, size, *parameter->unit ? "a list of" : "a path");
     else if (parameter->kind == BL_NESTED)
         snprintf(text, size, "any of `bandlimit list noises`, its keys as %s.KEY", parameter->key);
     else if (parameter->kind != BL_CHOICE)

@@ -51,7 +51,7 @@ static double cut(double knot, double x, double width) {
 }
 
 // The weights are differences of cuts, so that they sum to 1 however narrow the width is.
-static double box_pieces(const bl_pieces *pieces, double x, double width) {
+static double box_spans(const bl_spans *pieces, double x, double width) {
     double last = cut(pieces->knot[0], x, width);
     double sum = pieces->below * ((last + 0.5 * width) / width);
     for (size_t i = 0; i + 1 < pieces->count; i++) {
@@ -89,7 +89,7 @@ static int is_box(const bl_filter *filter) {
 // An integral of kernel times function over a part of the widths t about x.
 typedef struct sum {
     const bl_filter *filter;
-    const bl_pieces *pieces;
+    const bl_spans *pieces;
     double x, width, reach;
 } sum;
 
@@ -135,13 +135,13 @@ static double graded_piece(const sum *s, size_t piece, double from, double to) {
     return total;
 }
 
-double bl_average_pieces(const bl_filter *filter, const bl_pieces *pieces, double x, double width) {
+double bl_average_spans(const bl_filter *filter, const bl_spans *pieces, double x, double width) {
     if (isnan(x) || isnan(width))
         return NAN;
     if (isinf(x))
         return x < 0 ? pieces->below : pieces->above;
     if (is_box(filter))
-        return box_pieces(pieces, x, width);
+        return box_spans(pieces, x, width);
     double first = pieces->knot[0], last = pieces->knot[pieces->count - 1];
     const sum s = {filter, pieces, x, width, bl_filter_reach(filter)};
     if (isinf(s.reach) && (last - first) / width > BL_MOST_PANELS)
@@ -156,18 +156,26 @@ double bl_average_pieces(const bl_filter *filter, const bl_pieces *pieces, doubl
 
 // --- waves --------------------------------------------------------------------------------------
 
-static double wave_value(const void *block, size_t piece, double u) {
+// The period from k to k + 1, with nothing outside of it. Its ends are subtracted from the place,
+// not the place moved: just below 0 that would cost digits.
+typedef struct period {
+    const bl_wave *wave;
+    double k;
+} period;
+
+static double period_value(const void *block, size_t piece, double x) {
+    const period *p = block;
     (void)piece;
-    return ((const bl_wave *)block)->value(u);
+    return p->wave->value(x - p->k);
 }
 
-// The period that begins at `shift`, as a function of one piece, with nothing outside of it.
-static double one_period(const bl_filter *filter, const bl_wave *wave, double x, double width,
-                         double reach) {
-    static const double knot[2] = {0, 1};
-    const bl_pieces pieces = {.block = wave, .knot = knot, .count = 2, .value = wave_value};
+static double one_period(const bl_filter *filter, const bl_wave *wave, double k, double x,
+                         double width, double reach) {
+    const period block = {wave, k};
+    const double knot[2] = {k, k + 1};
+    const bl_spans pieces = {.block = &block, .knot = knot, .count = 2, .value = period_value};
     const sum s = {filter, &pieces, x, width, reach};
-    return part(&s, 0, 0, 1);
+    return part(&s, 0, k, k + 1);
 }
 
 // Of one period and more the harmonics fall at least as 1/n^2 by the filter and as 1/n by the wave.
@@ -176,7 +184,7 @@ static double series(const bl_filter *filter, const bl_wave *wave, double x, dou
     double total = 0;
     for (double n = terms; n >= 1; n--) {
         double response = filter->response(n * width), phase = 2 * M_PI * remainder(n * x, 1), c, s;
-        if (response == 0)
+        if (fabs(response) < 0x1p-70) // of a coefficient of at most 1, in a sum of about 1
             continue;
         wave->series(n, &c, &s);
         total += response * (c * cos(phase) + s * sin(phase));
@@ -184,7 +192,13 @@ static double series(const bl_filter *filter, const bl_wave *wave, double x, dou
     return wave->average + total;
 }
 
-enum { WIDEST_SUM = 512, LEAST_TERMS = 2048 };
+enum { WIDEST_SUM = 512, MOST_TERMS = 2048 };
+
+// The response of a continuous kernel falls as 1/f^2: the harmonics beyond 2^27 cycles per width
+// are below 2^-54. From the widest sum on, 2048 of them leave 2e-14.
+static double term_count(const bl_filter *filter, double width) {
+    return filter->continuity < 0 ? MOST_TERMS : fmin(fmax(ceil(0x1p27 / width), 1), MOST_TERMS);
+}
 
 double bl_average_wave(const bl_filter *filter, const bl_wave *wave, double x, double width) {
     if (!isfinite(x) || isnan(width))
@@ -199,10 +213,10 @@ double bl_average_wave(const bl_filter *filter, const bl_wave *wave, double x, d
                    ? NAN
                    : series(filter, wave, x, width, fmax(1, ceil(1 / width)));
     if (width > WIDEST_SUM)
-        return series(filter, wave, x, width, LEAST_TERMS);
+        return series(filter, wave, x, width, term_count(filter, width));
     double total = 0, last = floor(x + reach * width);
     for (double k = floor(x - reach * width); k <= last; k++)
-        total += one_period(filter, wave, x - k, width, reach);
+        total += one_period(filter, wave, k, x, width, reach);
     return total;
 }
 

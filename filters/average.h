@@ -31,7 +31,7 @@ int bl_filter_continuity(const bl_filter *filter, double width, int continuity);
 double bl_filter_bend(const bl_filter *filter, double distance, double width);
 
 // A function given by pieces between increasing knots, analytic within each.
-typedef struct bl_pieces {
+typedef struct bl_spans {
     const void *block; // handed to the functions
     const double *knot;
     size_t count;        // of knots, at least 2
@@ -40,11 +40,11 @@ typedef struct bl_pieces {
     // The mean over [from, from + length] within a piece, exact; the value for length 0.
     double (*mean)(const void *block, size_t piece, double from, double length);
     int graded; // 1: analytic but for the ends, where it is a power of the distance, or as steep
-} bl_pieces;
+} bl_spans;
 
 // The average about x for 0 < width < infinity. For a filter of infinite reach narrower than
 // 1/BL_MOST_PANELS of the span it is not known: NaN (see bl_check_averaging).
-double bl_average_pieces(const bl_filter *filter, const bl_pieces *pieces, double x, double width);
+double bl_average_spans(const bl_filter *filter, const bl_spans *pieces, double x, double width);
 
 // A function of period 1 that is analytic from 0 up to 1.
 typedef struct bl_wave {
@@ -54,8 +54,9 @@ typedef struct bl_wave {
     void (*series)(double n, double *c, double *s); // of cos(2 pi n u) and sin(2 pi n u), n >= 1
 } bl_wave;
 
-// The average about x, 0 <= x < 1, for 0 < width. A wide sample of a filter other than the box is a
-// Fourier series. For a filter of infinite reach narrower than 1/BL_MOST_PANELS: NaN.
+// The average about x, -1 < x < 1 (so that places just below 0 keep their digits), for 0 < width. A
+// wide sample of a filter other than the box is a Fourier series. For a filter of infinite reach
+// narrower than 1/BL_MOST_PANELS: NaN.
 double bl_average_wave(const bl_filter *filter, const bl_wave *wave, double x, double width);
 
 enum { BL_MOST_PANELS = 8192 };

@@ -65,3 +65,8 @@ double bl_modulo(double x, double period) {
         rest += period;
     return rest == period ? nextafter(period, 0) : rest == 0 ? 0 : rest;
 }
+
+double bl_periods(double x, double period) {
+    double periods = fmod(x, period) / period; // may round up to 1
+    return fabs(periods) >= 1 ? 0 : periods;   // NaN stays
+}

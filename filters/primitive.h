@@ -80,6 +80,10 @@ void bl_primitive_unit_facts(const bl_averaging *averaging, bl_facts *facts);
 // a negative one, so that modulo(-x, -period) is -modulo(x, period). NaN for infinite x.
 double bl_modulo(double x, double period);
 
+// x in periods, less all whole ones: exact but for one rounding, in (-1, 1), with the sign of x /
+// period, so that places just below 0 keep their digits. NaN for infinite x.
+double bl_periods(double x, double period);
+
 // In a primitive's file, after `static double average(const block *, const bl_filter *filter,
 // double x, double width)`, which knows no anchor: the abilities of the signal, for its definition
 // as .functions = BL_PRIMITIVE_FUNCTIONS.

@@ -21,5 +21,5 @@ static void series(double n, double *c, double *s) {
 
 double bl_sawtooth_average(const bl_filter *filter, double x, double width) {
     static const bl_wave wave = {.value = value, .mean = mean, .average = 0.5, .series = series};
-    return width == 0 ? x : bl_average_wave(filter, &wave, x, width);
+    return width == 0 ? x - floor(x) : bl_average_wave(filter, &wave, x, width);
 }

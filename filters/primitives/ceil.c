@@ -25,9 +25,9 @@ typedef struct ceil_parameters {
 
 static double average(const ceil_parameters *p, const bl_filter *filter, double x, double width) {
     (void)p;
-    double whole = ceil(x);
+    double whole = trunc(x); // just above 0 the rest keeps its digits
     if (isnan(width) || width == 0 || !isfinite(x))
-        return isnan(width) ? width : whole;
+        return isnan(width) ? width : ceil(x);
     return whole - ((whole - x) - bl_sawtooth_average(filter, whole - x, width));
 }
 

@@ -30,13 +30,13 @@ static double clamp(const clamp_parameters *p, double x) {
     return raised > p->high ? p->high : raised;
 }
 
-static double identity(const void *block, size_t piece, double x) {
-    (void)block, (void)piece;
+static double identity(const void *block, size_t span, double x) {
+    (void)block, (void)span;
     return x;
 }
 
-static double middle(const void *block, size_t piece, double from, double length) {
-    (void)block, (void)piece;
+static double middle(const void *block, size_t span, double from, double length) {
+    (void)block, (void)span;
     return from + 0.5 * length;
 }
 
@@ -53,13 +53,13 @@ static double average(const clamp_parameters *p, const bl_filter *filter, double
         return clamp(p, x) + (bl_filter_bend(filter, x - p->low, width) -
                               bl_filter_bend(filter, x - p->high, width));
     const double knot[2] = {p->low, p->high};
-    const bl_pieces pieces = {.knot = knot,
-                              .count = 2,
-                              .below = p->low,
-                              .above = p->high,
-                              .value = identity,
-                              .mean = middle};
-    return bl_average_pieces(filter, &pieces, x, width);
+    const bl_spans spans = {.knot = knot,
+                            .count = 2,
+                            .below = p->low,
+                            .above = p->high,
+                            .value = identity,
+                            .mean = middle};
+    return bl_average_spans(filter, &spans, x, width);
 }
 
 BL_PRIMITIVE_ABILITIES(clamp_parameters)

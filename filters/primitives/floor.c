@@ -25,9 +25,9 @@ typedef struct floor_parameters {
 
 static double average(const floor_parameters *p, const bl_filter *filter, double x, double width) {
     (void)p;
-    double whole = floor(x);
+    double whole = trunc(x); // just below 0 the rest keeps its digits
     if (isnan(width) || width == 0 || !isfinite(x))
-        return isnan(width) ? width : whole;
+        return isnan(width) ? width : floor(x);
     return whole + ((x - whole) - bl_sawtooth_average(filter, x - whole, width));
 }
 

@@ -30,14 +30,14 @@ typedef struct gain_parameters {
     bl_averaging averaging;
 } gain_parameters;
 
-static double at(const void *block, size_t piece, double x) {
-    return piece == 0 ? 0.5 * bl_unit_curve_value(block, 2 * x)
-                      : 1 - 0.5 * bl_unit_curve_value(block, 2 * (1 - x));
+static double at(const void *block, size_t span, double x) {
+    return span == 0 ? 0.5 * bl_unit_curve_value(block, 2 * x)
+                     : 1 - 0.5 * bl_unit_curve_value(block, 2 * (1 - x));
 }
 
 // The upper half from its end on: 1 - x runs from 1 - from - length to 1 - from.
-static double mean(const void *block, size_t piece, double from, double length) {
-    if (piece == 0)
+static double mean(const void *block, size_t span, double from, double length) {
+    if (span == 0)
         return 0.5 * bl_unit_curve_mean(block, 2 * from, 2 * length);
     double begin = fmax(2 * ((1 - from) - length), 0);
     return 1 - 0.5 * bl_unit_curve_mean(block, begin, 2 * length);
@@ -46,18 +46,22 @@ static double mean(const void *block, size_t piece, double from, double length) 
 static double average(const gain_parameters *p, const bl_filter *filter, double x, double width) {
     static const double knot[3] = {0, 0.5, 1};
     const bl_unit_curve curve = bl_bias_curve(p->form, 1 - p->g);
-    const bl_pieces pieces = {.block = &curve,
-                              .knot = knot,
-                              .count = 3,
-                              .above = 1,
-                              .value = at,
-                              .mean = mean,
-                              .graded = 1};
+    const bl_spans spans = {.block = &curve,
+                            .knot = knot,
+                            .count = 3,
+                            .above = 1,
+                            .value = at,
+                            .mean = mean,
+                            .graded = 1};
     if (isnan(x) || isnan(width))
         return NAN;
     if (isinf(width))
         return 0.5;
-    return width > 0 ? bl_average_pieces(filter, &pieces, x, width) : at(&curve, x > 0.5, x);
+    // 1 - x is exact in the upper half, where the end of the curve would lose digits.
+    double mirrored = x > 0.5 ? 1 - x : x;
+    double lower =
+        width > 0 ? bl_average_spans(filter, &spans, mirrored, width) : at(&curve, 0, mirrored);
+    return x > 0.5 ? 1 - lower : lower;
 }
 
 BL_PRIMITIVE_ABILITIES(gain_parameters)

@@ -33,10 +33,10 @@ typedef struct mod_parameters {
 static double average(const mod_parameters *p, const bl_filter *filter, double x, double width) {
     if (isinf(width) && !isnan(x))
         return 0.5 * p->period;
-    double rest = bl_modulo(x, p->period);
-    if (width == 0 || isnan(rest))
-        return rest;
-    return p->period * bl_sawtooth_average(filter, rest / p->period, width / fabs(p->period));
+    if (width == 0 || !isfinite(x))
+        return bl_modulo(x, p->period);
+    return p->period *
+           bl_sawtooth_average(filter, bl_periods(x, p->period), width / fabs(p->period));
 }
 
 BL_PRIMITIVE_ABILITIES(mod_parameters)

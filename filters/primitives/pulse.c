@@ -25,13 +25,13 @@ typedef struct pulse_parameters {
 
 // Much wider than the pulse, the difference of two steps keeps few digits of what is left: there it
 // is the integral of the kernel over the pulse.
-static double one(const void *block, size_t piece, double x) {
-    (void)block, (void)piece, (void)x;
+static double one(const void *block, size_t span, double x) {
+    (void)block, (void)span, (void)x;
     return 1;
 }
 
-static double one_mean(const void *block, size_t piece, double from, double length) {
-    (void)block, (void)piece, (void)from, (void)length;
+static double one_mean(const void *block, size_t span, double from, double length) {
+    (void)block, (void)span, (void)from, (void)length;
     return 1;
 }
 
@@ -46,8 +46,8 @@ static double average(const pulse_parameters *p, const bl_filter *filter, double
         return sign * (x >= knot[0] && x < knot[1]);
     if (knot[1] - knot[0] >= width)
         return sign * (filter->step((x - knot[0]) / width) - filter->step((x - knot[1]) / width));
-    const bl_pieces pieces = {.knot = knot, .count = 2, .value = one, .mean = one_mean};
-    return sign * bl_average_pieces(filter, &pieces, x, width);
+    const bl_spans spans = {.knot = knot, .count = 2, .value = one, .mean = one_mean};
+    return sign * bl_average_spans(filter, &spans, x, width);
 }
 
 BL_PRIMITIVE_ABILITIES(pulse_parameters)

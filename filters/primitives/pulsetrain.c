@@ -33,7 +33,7 @@ static double clip(double edge) {
 static double average(const pulsetrain_parameters *p, const bl_filter *filter, double x,
                       double width) {
     double low = clip(p->low), high = clip(p->high);
-    double u = bl_modulo(x, p->period) / p->period, w = width / fabs(p->period);
+    double u = bl_periods(x, p->period), w = width / fabs(p->period);
     if (isinf(width) && !isnan(x))
         return high - low;
     return low <= high ? bl_pulse_train_average(filter, low, high, u, w)

@@ -12,7 +12,8 @@
 //
 // The phase is reduced before it is rounded: with the error of the product frequency * x, which a
 // fused multiplication gives, it is good at any distance. Bound: -1 and 1; filtered, the size of
-// the response. Infinite width: 0, the mean. NaN and infinite x give NaN.
+// the response. Infinite width: 0, the mean. NaN and infinite x give NaN,
+// and so does a product beyond the range of double.
 // Source: peachey2003, p. 30.
 #include "filters/primitive.h"
 
@@ -34,10 +35,12 @@ static double average(const sine_parameters *p, const bl_filter *filter, double 
     if (isinf(width) && p->frequency != 0 && !isnan(x))
         return 0;
     double cycles = p->frequency * x, error = fma(p->frequency, x, -cycles);
-    if (isnan(width) || !isfinite(x) || !isfinite(cycles)) // beyond 1e300 cycles it is lost
-        return p->frequency == 0 && isinf(x) && !isnan(width) ? sin(2 * M_PI * p->phase) : NAN;
-    double phase = remainder(remainder(cycles, 1) + error + remainder(p->phase, 1), 1);
-    return share(p, filter, width) * sin(2 * M_PI * phase);
+    if (isnan(width) || !isfinite(x) || !isfinite(cycles))
+        return p->frequency == 0 && isinf(x) && !isnan(width)
+                   ? sin(2 * M_PI * remainder(p->phase, 1))
+                   : NAN;
+    double phase = remainder(cycles, 1) + remainder(error, 1) + remainder(p->phase, 1);
+    return share(p, filter, width) * sin(2 * M_PI * remainder(phase, 1));
 }
 
 BL_PRIMITIVE_ABILITIES(sine_parameters)
@@ -46,13 +49,12 @@ static void describe(const void *block, bl_facts *facts) {
     const sine_parameters *p = block;
     double left = share(p, bl_filter_at(p->averaging.filter), p->averaging.width);
     *facts = bl_facts_unknown();
-    facts->lower = -fabs(left);
-    facts->upper = fabs(left);
+    double constant = sin(2 * M_PI * remainder(p->phase, 1));
+    facts->lower = p->frequency != 0 ? -fabs(left) : constant;
+    facts->upper = p->frequency != 0 ? fabs(left) : constant;
     facts->bound_proof = "it is a sine, times the response of the filter";
-    if (p->frequency != 0) {
-        facts->mean = 0;
-        facts->variance = 0.5 * left * left;
-    }
+    facts->mean = p->frequency != 0 ? 0 : constant;
+    facts->variance = p->frequency != 0 ? 0.5 * left * left : 0;
     facts->continuity = 99;
     bl_primitive_period(facts, p->frequency != 0 ? 1 / fabs(p->frequency) : 0);
 }

@@ -51,8 +51,9 @@ static double average(const sineturbulence_parameters *p, const bl_filter *filte
         return NAN;
     for (double f = p->min; f < p->max; f *= 2) {
         double half = 0.5 / f; // of a wave, in units
-        double u = isinf(width) ? 0 : fmin(bl_modulo(x, half) / half, 1 - 0x1p-53);
-        sum += (width == 0 ? half_wave(u) : bl_average_wave(filter, &wave, u, width / half)) / f;
+        double u = isinf(width) ? 0 : bl_periods(x, half);
+        sum +=
+            (width == 0 ? half_wave(fabs(u)) : bl_average_wave(filter, &wave, u, width / half)) / f;
     }
     return sum;
 }

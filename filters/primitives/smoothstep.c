@@ -30,18 +30,18 @@ static double cubic(double t) {
 }
 
 // Rising, between the smaller and the larger edge.
-static double rising(const void *block, size_t piece, double x) {
+static double rising(const void *block, size_t span, double x) {
     const double *edge = block;
-    (void)piece;
+    (void)span;
     double t = (x - edge[0]) / (edge[1] - edge[0]);
     return t <= 0 ? 0 : t >= 1 ? 1 : cubic(t);
 }
 
-static double mean(const void *block, size_t piece, double from, double length) {
+static double mean(const void *block, size_t span, double from, double length) {
     const double *edge = block;
-    double span = edge[1] - edge[0], h = length / span;
-    double t = (from + 0.5 * length - edge[0]) / span;
-    (void)piece;
+    double size = edge[1] - edge[0], h = length / size;
+    double t = (from + 0.5 * length - edge[0]) / size;
+    (void)span;
     return cubic(t) + (6 - 12 * t) * (h * h / 24);
 }
 
@@ -52,13 +52,13 @@ static double average(const smoothstep_parameters *p, const bl_filter *filter, d
     if (isinf(width))
         return 0.5;
     const double edge[2] = {fmin(p->low, p->high), fmax(p->low, p->high)};
-    const bl_pieces pieces = {
+    const bl_spans spans = {
         .block = edge, .knot = edge, .count = 2, .above = 1, .value = rising, .mean = mean};
     double up;
     if (edge[0] == edge[1])
         up = width > 0 ? filter->step((x - edge[0]) / width) : x >= edge[0];
     else
-        up = width > 0 ? bl_average_pieces(filter, &pieces, x, width) : rising(edge, 0, x);
+        up = width > 0 ? bl_average_spans(filter, &spans, x, width) : rising(edge, 0, x);
     return p->low <= p->high ? up : 1 - up;
 }
 

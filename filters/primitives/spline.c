@@ -14,12 +14,12 @@
 //   width, filter, anchor   how it is averaged (filters/primitive.h). The ideal filter, which has
 //                           no end, is refused for widths below 1/8192
 //
-// C1: the first derivatives of neighbours agree at a knot, the second do not, in general, as
-// against what the text says of it. It reproduces polynomials up to degree 2. The text's listing
-// takes one span too many at x = 1, and reads a knot past the last there (times 0).
-// Bound: of each cubic, its Bezier points (k1, k1 + (k2 - k0)/6, k2 - (k3 - k1)/6, k2) hull it;
-// none for filters with negative lobes. Infinite width: the mean of both ends. NaN gives NaN,
-// infinite x the ends. Source: peachey2003, p. 33.
+// C1 between the ends: the first derivatives of neighbours agree at a knot, the second do not, in
+// general, as against what the text says of it. At both ends, where it is clamped, it is C0. It
+// reproduces polynomials up to degree 2. The text's listing takes one span too many at x = 1, and
+// reads a knot past the last there (times 0). Bound: of each cubic, its Bezier points (k1, k1 + (k2
+// - k0)/6, k2 - (k3 - k1)/6, k2) hull it; none for filters with negative lobes. Infinite width: the
+// mean of both ends. NaN gives NaN, infinite x the ends. Source: peachey2003, p. 34.
 #include "filters/average.h"
 #include "filters/primitive.h"
 
@@ -141,15 +141,15 @@ static double average_of(const spline_parameters *p, uint32_t component, const b
         return NAN;
     if (isinf(width))
         return 0.5 * first + 0.5 * last;
-    const bl_pieces pieces = {.block = &c,
-                              .knot = p->place,
-                              .count = p->count - 2,
-                              .below = first,
-                              .above = last,
-                              .value = value_at,
-                              .mean = mean_over};
+    const bl_spans pieces = {.block = &c,
+                             .knot = p->place,
+                             .count = p->count - 2,
+                             .below = first,
+                             .above = last,
+                             .value = value_at,
+                             .mean = mean_over};
     if (width > 0)
-        return bl_average_pieces(filter, &pieces, x, width);
+        return bl_average_spans(filter, &pieces, x, width);
     if (x <= 0 || x >= 1)
         return x > 0 ? last : first;
     double piece = fmin(floor(x * c.spans), c.spans - 1.0); // 0 <= piece < 126
@@ -214,7 +214,7 @@ static const bl_parameter parameters[] = {
      .kind = BL_TEXT,
      .offset = offsetof(spline_parameters, knots),
      .fallback = "0;0;0.8;0.3;1;1",
-     .unit = "",
+     .unit = "knots",
      .help = "numbers, or linear colours R/G/B, with ';' between them; the outer two set slopes",
      .examples = examples},
     {.key = "component",
@@ -232,7 +232,7 @@ BL_PRIMITIVE_DESCRIPTOR(spline) = {
     .title = "Catmull-Rom spline",
     .summary = "A smooth curve through evenly spaced knots, numbers or colours.",
     .formula = "cubics that pass a knot with half the difference of its neighbours as slope",
-    .paper = "peachey2003, p. 33",
+    .paper = "peachey2003, p. 34",
     .dimensions = 1,
     .parameters = parameters,
     .parameters_size = sizeof(spline_parameters),

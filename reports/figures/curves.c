@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "reports/figures/curves.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "reports/figures/estimates.h"
+
+double bl_curves_at(const bl_gallery *gallery, size_t index, double x) {
+    return bl_signal_value(gallery->signal[index], (const double[BL_AXES]){x});
+}
+
+static double place(double from, double to, size_t i) {
+    return from + (to - from) * (double)i / BL_CURVES_STEPS;
+}
+
+double bl_curves_largest(double (*a)(const bl_gallery *gallery, double x),
+                         const bl_gallery *gallery, double from, double to) {
+    double largest = 0;
+    for (size_t i = 0; i <= BL_CURVES_STEPS; i++) {
+        double size = fabs(a(gallery, place(from, to, i)));
+        if (isnan(size))
+            return NAN; // fmax would hide it
+        largest = fmax(largest, size);
+    }
+    return largest;
+}
+
+void bl_curves_claim(bl_run *run, const char *source, const char *sentence, const char *reading,
+                     double limit, double measured) {
+    bl_make_claim(run, source, sentence, reading, "", 0, limit,
+                  bl_exactly(measured, BL_CURVES_STEPS + 1), "places");
+}
+
+static bl_status write_values(bl_run *run, const bl_curves *curves, const bl_gallery *gallery,
+                              bl_message *message) {
+    enum { POINTS = BL_CURVES_STEPS + 1 };
+    double *values = malloc((curves->count + 1) * POINTS * sizeof *values), *x = values;
+    bl_column columns[BL_CURVES_MOST + 1];
+    if (!values)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    columns[0] = (bl_column){"x", x, NULL};
+    for (size_t i = 0; i < POINTS; i++)
+        x[i] = place(curves->x.from, curves->x.to, i);
+    for (size_t n = 0; n < curves->count; n++) {
+        double *column = values + (n + 1) * POINTS;
+        for (size_t i = 0; i < POINTS; i++)
+            column[i] = bl_curves_at(gallery, n, x[i]);
+        columns[n + 1] = (bl_column){gallery->key[n], column, NULL};
+    }
+    bl_status status =
+        bl_run_csv(run, "curves", "values along x", columns, curves->count + 1, POINTS, message);
+    free(values);
+    return status;
+}
+
+static bl_status draw(bl_run *run, const bl_curves *curves, const bl_gallery *gallery,
+                      bl_message *message) {
+    bl_series series[BL_CURVES_MOST];
+    for (size_t n = 0; n < curves->count; n++)
+        series[n] = (bl_series){.stroke = curves->curves[n].stroke,
+                                .ink = curves->curves[n].ink,
+                                .file = "curves.csv",
+                                .x = "x",
+                                .y = gallery->key[n],
+                                .label = curves->curves[n].label};
+    const bl_panel panel = {.title = "", .series = series, .series_count = curves->count};
+    const bl_plot plot = {.title = curves->title,
+                          .x = curves->x,
+                          .y = curves->y,
+                          .panels = &panel,
+                          .panel_count = 1,
+                          .columns = 1,
+                          .limits = curves->limits,
+                          .limit_count = curves->limit_count};
+    return bl_run_plot(run, "curves", &plot, curves->alternative, message);
+}
+
+bl_status bl_curves_draw(bl_run *run, const bl_curves *curves, bl_gallery *gallery,
+                         bl_message *message) {
+    const char *texts[BL_CURVES_MOST];
+    for (size_t n = 0; n < curves->count; n++)
+        texts[n] = curves->curves[n].text;
+    bl_status status = bl_gallery_open(run, texts, curves->count, gallery, message);
+    if (status != BL_OK)
+        return status;
+    status = write_values(run, curves, gallery, message);
+    if (status == BL_OK)
+        status = draw(run, curves, gallery, message);
+    if (status != BL_OK)
+        bl_gallery_close(gallery);
+    return status;
+}
