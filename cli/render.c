@@ -90,9 +90,9 @@ static bl_status settle_plane(const bl_signal *signal, slice_view *view, bl_mess
     return BL_OK;
 }
 
-// Black and white, unless they are given. A bound about 1 is shown as -1:1, so that pictures of
-// most noises compare. A bound is what cannot be exceeded, which for sums of many terms lies far
-// from what is: those are shown to four deviations from the mean.
+// Black and white, unless they are given. Textures are 0 to 1. A bound about 1 is shown as -1:1, so
+// that pictures of most noises compare. A bound is what cannot be exceeded, which for sums of many
+// terms lies far from what is: those are shown to four deviations from the mean.
 static void settle_range(const bl_signal *signal, slice_view *view) {
     const bl_facts *facts = &signal->facts;
     double lower = facts->lower, upper = facts->upper, size = fmax(fabs(lower), fabs(upper));
