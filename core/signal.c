@@ -97,6 +97,18 @@ void bl_signal_free(bl_signal *signal) {
     discard(signal);
 }
 
+bl_status bl_signal_check_statistics(const bl_signal *signal, bl_message *message) {
+    int repeats = 0;
+    for (unsigned a = 0; a < BL_AXES; a++)
+        repeats |= signal->facts.period[a] != 0; // NaN: not stated
+    if (!signal->definition || signal->seed_offset != SIZE_MAX || repeats)
+        return BL_OK;
+    return bl_report(message, BL_MISMATCH,
+                     "'%s' neither repeats nor is random, so that it has no statistics over all "
+                     "places; use eval or render, or a periodic signal",
+                     signal->text);
+}
+
 int bl_signal_has_closed_form(const bl_signal *signal) {
     return signal->closed_form && signal->functions->covariance;
 }

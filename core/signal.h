@@ -121,6 +121,11 @@ bl_signal *bl_signal_reseed(const bl_signal *signal, uint64_t seed);
 // Releases the signal and all it owns; NULL is fine.
 void bl_signal_free(bl_signal *signal);
 
+// Whether statistics over random places tell something of the signal. BL_MISMATCH for one of a
+// registry that has no seed and states that it does not repeat: they would only tell how far out
+// the places are.
+bl_status bl_signal_check_statistics(const bl_signal *signal, bl_message *message);
+
 // Shorthands for the abilities.
 int bl_signal_has_closed_form(const bl_signal *signal);
 int bl_signal_has_density(const bl_signal *signal); // a covariance that ends

@@ -202,7 +202,9 @@ static bl_status check_settings(const bl_signal *signal, bl_histogram_settings *
         return bl_report(message, BL_USAGE,
                          "%d threads cannot be had; give 1 or more, or 0 for all",
                          settings->threads);
-    return bl_memory_check(16.0 * (double)settings->bins, "these bins", message);
+    bl_status status = bl_signal_check_statistics(signal, message);
+    return status == BL_OK ? bl_memory_check(16.0 * (double)settings->bins, "these bins", message)
+                           : status;
 }
 
 bl_status bl_histogram_measure(const bl_signal *signal, const bl_histogram_settings *settings,

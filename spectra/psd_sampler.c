@@ -199,6 +199,9 @@ bl_status bl_sampler_open(const bl_signal *signal, const bl_psd_settings *settin
                          "'%s' has %u dimension%s and no spectrum in %u; ask for at most %u",
                          signal->text, signal->dimensions, signal->dimensions == 1 ? "" : "s",
                          settings->dims, signal->dimensions);
+    status = bl_signal_check_statistics(signal, message);
+    if (status != BL_OK)
+        return status;
     for (unsigned a = 0; a < BL_AXES; a++)
         sampler->on_grid |= signal->extent.size[a] != 0;
     if (sampler->on_grid)

@@ -8,6 +8,8 @@
 #include "core/grammar.h"
 #include "filters/average.h"
 #include "filters/primitive.h"
+#include "spectra/histogram.h"
+#include "spectra/psd.h"
 #include "tests/primitives.h"
 #include "tests/test.h"
 
@@ -316,6 +318,32 @@ static void test_settings_that_make_no_sense_are_refused(void **state) {
     bl_signal_free(bl_test_primitive("step:width=inf"));
 }
 
+static void test_statistics_are_measured_only_where_they_exist(void **state) {
+    static const char *const with[] = {"mod", "pulsetrain", "sine", "sineturbulence"};
+    static const char *const without[] = {"step", "abs", "floor", "mix", "spline"};
+    bl_psd_settings settings = bl_psd_default_settings(1);
+    bl_histogram_settings counts = bl_histogram_default_settings();
+    (void)state;
+    settings.averages = 4;
+    counts.samples = 4096;
+    for (size_t i = 0; i < 4 + 5; i++) {
+        bl_signal *signal = bl_test_primitive(i < 4 ? with[i] : without[i - 4]);
+        bl_psd psd;
+        bl_histogram histogram;
+        bl_message message = {""};
+        bl_status expected = i < 4 ? BL_OK : BL_MISMATCH;
+        assert_int_equal(bl_psd_measure(signal, &settings, &psd, &message), expected);
+        assert_int_equal(bl_histogram_measure(signal, &counts, &histogram, &message), expected);
+        if (i < 4) {
+            bl_psd_free(&psd);
+            bl_histogram_free(&histogram);
+        } else if (!strstr(message.text, "neither repeats nor is random")) {
+            fail_msg("%s: '%s'", without[i - 4], message.text);
+        }
+        bl_signal_free(signal);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_averages_are_those_of_quadrature),
@@ -325,6 +353,7 @@ int main(void) {
         cmocka_unit_test(test_every_double_has_a_value),
         cmocka_unit_test(test_rows_are_the_values),
         cmocka_unit_test(test_settings_that_make_no_sense_are_refused),
+        cmocka_unit_test(test_statistics_are_measured_only_where_they_exist),
     };
     return bl_run_tests(tests);
 }
