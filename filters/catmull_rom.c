@@ -6,9 +6,9 @@
 //          (4 - 8 |t| + 5 |t|^2 - |t|^3) / 2    for |t| < 2, else 0
 //   response: zeros of third order at all whole frequencies but 0, as 1 - O(f^4) near 0
 //
-// The weights of the samples about any point add to 1, and parabolas pass unchanged. It is negative for
-// 1 < |t| < 2 and sharpens: its steps ring 1/24 beyond 0 and 1, at distances of one width. C1, not
-// C2: the second derivative steps at every knot, by 1 to 10.
+// The weights of the samples about any point add to 1, and parabolas pass unchanged. It is negative
+// for 1 < |t| < 2 and sharpens: its steps ring 1/24 beyond 0 and 1, at distances of one width. C1,
+// not C2: the second derivative steps by 2 at |t| = 1 and by 1 at 2.
 //
 // Source: peachey2003, p. 65 (the filter and its step, by name); keys1981, for a = -1/2.
 #include "filters/pieces.h"
