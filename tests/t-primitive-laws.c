@@ -119,13 +119,13 @@ static void test_clamp_min_and_max_are_made_of_each_other(void **state) {
 }
 
 static void test_pulses_are_differences_of_steps(void **state) {
-    bl_signal *pulse = open_text("pulse:low=0.4,high=0.6"),
-              *back = open_text("pulse:low=0.6,high=0.4");
+    bl_signal *pulse = open_text("pulse:low=0.4,high=0.6,period=inf"),
+              *back = open_text("pulse:low=0.6,high=0.4,period=inf");
     bl_signal *first = open_text("step:edge=0.4"), *second = open_text("step:edge=0.6");
-    bl_signal *train = open_text("pulsetrain:low=0.4,high=0.6");
-    bl_signal *turned = open_text("pulsetrain:low=0.6,high=0.4");
-    bl_signal *mirrored = open_text("pulsetrain:low=0.4,high=0.7,period=-2");
-    bl_signal *plain = open_text("pulsetrain:low=0.4,high=0.7,period=2");
+    bl_signal *train = open_text("pulse:low=0.4,high=0.6");
+    bl_signal *turned = open_text("pulse:low=0.6,high=0.4");
+    bl_signal *mirrored = open_text("pulse:low=0.4,high=0.7,period=-2");
+    bl_signal *plain = open_text("pulse:low=0.4,high=0.7,period=2");
     (void)state;
     for (double x = -0.99; x < 2; x += 0.017)
         for (double w = 0; w < 50; w = w ? w * 7 : 1e-7) {
@@ -288,7 +288,7 @@ static void test_a_box_is_the_mean_of_its_halves(void **state) {
 
 // Whole periods further the average is the same to the last bit, as long as x is a float.
 static void test_periodic_averages_keep_their_digits_far_out(void **state) {
-    static const char *const texts[] = {"mod", "mod:period=0.5", "pulsetrain", "sine",
+    static const char *const texts[] = {"mod", "mod:period=0.5", "pulse", "sine",
                                         "sineturbulence"};
     (void)state;
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {

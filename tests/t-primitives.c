@@ -21,10 +21,10 @@ typedef void (*visit)(const char *text, const bl_signal *signal, const bl_filter
 // The settings that are tried: the defaults, every word of every choice, the examples, and what
 // reversed and negative numbers do.
 static void visit_all(visit function) {
-    static const char *const more[] = {"pulse:low=1,high=0",
-                                       "pulse:low=0.5,high=0.5",
-                                       "pulsetrain:period=-2",
-                                       "pulsetrain:low=0.9,high=0.1",
+    static const char *const more[] = {"pulse:low=1,high=0,period=inf",
+                                       "pulse:low=0.5,high=0.5,period=inf",
+                                       "pulse:period=-2",
+                                       "pulse:low=0.9,high=0.1",
                                        "clamp:low=1,high=0",
                                        "smoothstep:low=1,high=0",
                                        "smoothstep:low=0.5,high=0.5",
@@ -295,7 +295,7 @@ static void test_rows_are_the_values(void **state) {
 
 static void test_settings_that_make_no_sense_are_refused(void **state) {
     static const char *const cases[][2] = {{"mod:period=0", "period"},
-                                           {"pulsetrain:period=0", "period"},
+                                           {"pulse:period=0", "period"},
                                            {"spline:knots=0;1;2", "4 knots"},
                                            {"spline:knots=0;1/2;1;1", "R/G/B"},
                                            {"spline:knots=0;;1;1", "R/G/B"},
@@ -319,7 +319,7 @@ static void test_settings_that_make_no_sense_are_refused(void **state) {
 }
 
 static void test_statistics_are_measured_only_where_they_exist(void **state) {
-    static const char *const with[] = {"mod", "pulsetrain", "sine", "sineturbulence"};
+    static const char *const with[] = {"mod", "pulse", "sine", "sineturbulence"};
     static const char *const without[] = {"step", "abs", "floor", "mix", "spline"};
     bl_psd_settings settings = bl_psd_default_settings(1);
     bl_histogram_settings counts = bl_histogram_default_settings();
