@@ -109,6 +109,10 @@ bl_status bl_method_open(const char *text, const bl_signal *signal, bl_method *m
     const bl_method_kind *kind = bl_method_find(own ? "own" : spec.name);
     if (!kind)
         status = report_unknown(spec.name, signal, message);
+    else if (strcmp(kind->name, "own") == 0 && !signal->functions->filtered)
+        status = bl_report(message, BL_USAGE,
+                           "'%s' at column 1: '%.64s' cannot filter itself; use another method",
+                           spec.name, signal->text);
     if (status == BL_OK)
         status = read_settings(kind, &spec, text, method, message);
     if (status == BL_OK)
