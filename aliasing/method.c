@@ -92,10 +92,12 @@ static bl_status read_signal(const bl_signal *signal, const char *word, bl_metho
     if (word)
         return bl_signal_with_choice(signal, bl_method_own_key(signal), word, &method->signal,
                                      message);
-    method->signal = bl_signal_copy(signal);
-    return method->signal ? BL_OK
-                          : bl_report(message, BL_DEVICE, "out of memory, or '%s' cannot be copied",
-                                      signal->text);
+    method->borrowed = signal->functions->release && !signal->functions->build;
+    // What is borrowed is only read: nobody writes through it.
+    method->signal = method->borrowed ? (bl_signal *)(uintptr_t)signal : bl_signal_copy(signal);
+    return method->signal
+               ? BL_OK
+               : bl_report(message, BL_DEVICE, "out of memory opening '%s'", signal->text);
 }
 
 bl_status bl_method_open(const char *text, const bl_signal *signal, bl_method *method,
@@ -126,7 +128,8 @@ bl_status bl_method_open(const char *text, const bl_signal *signal, bl_method *m
 void bl_method_close(bl_method *method) {
     free(method->parameters);
     free(method->text);
-    bl_signal_free(method->signal);
+    if (!method->borrowed)
+        bl_signal_free(method->signal);
     *method = (bl_method){0};
 }
 
