@@ -238,8 +238,7 @@ static const bl_option options[] = {
      .offset = AT(view),
      .value = "VIEW",
      .fallback = "flat",
-     .help = "what the pixels see, as plane:height=1,fov=60; `bandlimit list views` shows all "
-             "(default: flat)"},
+     .help = "what the pixels see, as plane:height=1,fov=60; `bandlimit list views` shows all"},
     {.name = "filter",
      .kind = BL_OPTION_WORDS,
      .offset = AT(filters),
@@ -259,7 +258,7 @@ static const bl_option options[] = {
      .fallback = "box",
      .choices = bl_pixel_words,
      .help = "of the converged reference: box, a pixel wide, or gaussian, of a standard deviation "
-             "of half a pixel (default: box)"},
+             "of half a pixel"},
     {.name = "cache",
      .kind = BL_OPTION_WORD,
      .offset = AT(cache),
