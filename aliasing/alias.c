@@ -39,8 +39,8 @@ bl_alias_settings bl_alias_default_settings(void) {
                                .finest = 16,
                                .replicates = 4,
                                .frames = 8,
-                               .rounds = 9,
-                               .turn_seconds = 2e-3,
+                               .rounds = 31,
+                               .turn_seconds = 3e-4,
                                .most_samples = 512,
                                .level = 0.95,
                                .seed = 1};

@@ -46,7 +46,7 @@ _bandlimit() {
             continuity seeds far gradient cost" -- "${current##*,}"))
         ;;
     --view) COMPREPLY=($(compgen -W "$(_bandlimit_names views)" -- "$current")) ;;
-    --filter) COMPREPLY=($(compgen -W "all point supersample mean own" -- "$current")) ;;
+    --filter) COMPREPLY=($(compgen -W "all $(_bandlimit_names methods)" -- "$current")) ;;
     --pixel) COMPREPLY=($(compgen -W "box gaussian" -- "$current")) ;;
     --cache) COMPREPLY=($(compgen -d -- "$current")) ;;
     --bits) COMPREPLY=($(compgen -W "8 16" -- "$current")) ;;
@@ -84,7 +84,7 @@ _bandlimit() {
     "") words=$verbs ;;
     list)
         options="--names"
-        words="noises primitives filters textures views figures"
+        words="noises primitives filters textures views methods figures"
         ;;
     show)
         options="--plot"

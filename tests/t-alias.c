@@ -313,6 +313,10 @@ static void test_methods_are_named_and_refused(void **state) {
     assert_string_equal(method.text, "exact:width=length");
     bl_method_close(&method);
     bl_signal_free(signal);
+    assert_int_equal(bl_noise_open("gnoise", BL_ISA_BEST, &signal, NULL), BL_OK);
+    assert_int_equal(bl_method_open("own", signal, &method, &message), BL_USAGE);
+    assert_non_null(strstr(message.text, "cannot filter itself"));
+    bl_signal_free(signal);
 }
 
 static void test_views_of_nothing_are_refused(void **state) {

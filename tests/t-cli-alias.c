@@ -105,6 +105,29 @@ static void test_the_cache_is_used_and_nothing_kept_without_it(void **state) {
     free(folder);
 }
 
+// A file cannot be copied, and has values only within.
+static void test_an_image_is_a_texture(void **state) {
+    (void)state;
+    char *image = strdup(bl_test_path("image.exr"));
+    bl_ran drawn =
+        bl_run_program("render", "gnoise", "--width", "32", "--scale", "8", "-o", image, "-q");
+    assert_int_equal(drawn.status, 0);
+    bl_ran inside = bl_run_program("alias", image, "--view", "flat:scale=4,x=4,y=4", "--quick",
+                                   "--size", "16", "--json");
+    json_t *object = run_json(&inside);
+    assert_int_equal(inside.status, 0);
+    assert_true(json_array_size(json_object_get(object, "rows")) >= 4);
+    json_decref(object);
+    bl_ran outside =
+        bl_run_program("alias", image, "--view", "flat:scale=99", "--quick", "--size", "16");
+    assert_int_equal(outside.status, 3);
+    assert_non_null(strstr(outside.err, "not finite"));
+    bl_ran_free(&drawn);
+    bl_ran_free(&inside);
+    bl_ran_free(&outside);
+    free(image);
+}
+
 static void test_bad_words_are_refused_with_what_to_do(void **state) {
     (void)state;
     static const struct {
@@ -137,6 +160,7 @@ int main(void) {
         cmocka_unit_test(test_a_filter_is_better_than_none),
         cmocka_unit_test(test_the_folder_has_images_and_a_table),
         cmocka_unit_test(test_the_cache_is_used_and_nothing_kept_without_it),
+        cmocka_unit_test(test_an_image_is_a_texture),
         cmocka_unit_test(test_bad_words_are_refused_with_what_to_do),
     };
     return bl_set_filter(), cmocka_run_group_tests(tests, NULL, bl_remove_folder);

@@ -41,8 +41,8 @@ static bl_status draw_widths(bl_run *run, const double *place,
 static bl_status measure(bl_run *run, const bl_wall *wall, const bl_view *view,
                          bl_alias_result *result, bl_message *message) {
     bl_alias_settings settings = bl_alias_default_settings();
-    settings.replicates = (unsigned)bl_run_pick(run, 4, 8, 32);
-    settings.finest = (unsigned)bl_run_pick(run, 8, 16, 16);
+    settings.replicates = (unsigned)bl_run_pick(run, 3, 4, 32);
+    settings.finest = (unsigned)bl_run_pick(run, 4, 16, 16);
     settings.most_samples = (uint32_t)bl_run_pick(run, 32, 64, 1024);
     settings.frames = 0;
     settings.rounds = 0;
