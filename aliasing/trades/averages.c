@@ -48,7 +48,9 @@ static bl_estimate width_of_interval(const bl_psd *psd) {
     for (size_t i = 0; i < psd->count && count < BINS_MOST; i += stride)
         if (psd->frequency[i] >= 0.25 && psd->frequency[i] <= 1 && psd->dof[i] > 0)
             width[count++] = 0.5 * (psd->upper[i] - psd->lower[i]) / psd->psd[i];
-    return bl_mean_estimate(width, count, 0.95);
+    bl_estimate mean = bl_mean_estimate(width, count, 0.95);
+    mean.lower = fmax(0, mean.lower);
+    return mean;
 }
 
 static bl_status add(const bl_signal *signal, size_t averages, const bl_trade_settings *settings,
@@ -81,13 +83,14 @@ static bl_status add(const bl_signal *signal, size_t averages, const bl_trade_se
 
 static bl_status open(const bl_signal *subject, const bl_trade_settings *settings,
                       bl_alternatives *alternatives, bl_message *message) {
-    static const size_t averages[] = {4, 8, 16, 32, 64, 128, 256, 512, 1024};
+    static const size_t averages[] = {8, 16, 32, 64, 128, 256, 512, 1024, 2048};
     static const size_t counts[] = {6, 8, 9};
     bl_signal *signal;
     (void)subject;
     bl_status status = bl_noise_open("gnoise", BL_ISA_BEST, &signal, message);
     if (status != BL_OK)
         return status;
+    signal->closed_form = 0; // the time is that of measuring, not of the theory beside it
     alternatives->own = signal;
     for (size_t i = 0; i < counts[settings->size] && status == BL_OK; i++)
         status = add(signal, averages[i], settings, alternatives, message);

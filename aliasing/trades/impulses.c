@@ -48,7 +48,7 @@ static bl_estimate size_of(bl_estimate excess) {
 
 static bl_status measure(bl_alternative *alternative, const bl_trade_settings *settings,
                          bl_message *message) {
-    static const size_t seeds[] = {24, 128, 1024};
+    static const size_t seeds[] = {64, 256, 2048};
     bl_trade_timed *timed = alternative->state;
     double *excess = malloc(seeds[settings->size] * sizeof *excess);
     if (!excess)
