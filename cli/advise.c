@@ -35,7 +35,7 @@ static bl_advise_settings settings_of(const bl_call *call, double tolerance) {
     alias->turn_seconds = call->common.quick ? 5e-4 : 2e-3;
     alias->replicates = call->common.full ? 8 : 2;
     alias->finest = call->common.quick ? 4 : 8;
-    alias->most_samples = call->common.full ? 1 << 14 : call->common.quick ? 256 : 2048;
+    alias->most_samples = call->common.full ? 1 << 14 : call->common.quick ? 256 : 1024;
     return settings;
 }
 
