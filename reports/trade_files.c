@@ -36,9 +36,11 @@ static bl_axis axis_of(const char *label, double least, double most, double room
 void bl_trade_plot_describe(const bl_trade *trade, const bl_alternatives *alternatives,
                             const char *name, bl_trade_plot *plot) {
     double least[2] = {INFINITY, INFINITY}, most[2] = {0, 0};
+    int without = 0; // errors
     for (size_t i = 0; i < alternatives->count; i++) {
         const bl_alternative *a = &alternatives->list[i];
         const double drawn[2] = {a->ns, a->error.value};
+        without |= a->error.value <= 0;
         for (int k = 0; k < 2 && a->ns > 0 && a->error.value > 0; k++) {
             least[k] = fmin(least[k], drawn[k]);
             most[k] = fmax(most[k], drawn[k]);
@@ -47,7 +49,8 @@ void bl_trade_plot_describe(const bl_trade *trade, const bl_alternatives *altern
     snprintf(plot->table, sizeof plot->table, "%s.csv", name);
     snprintf(plot->front, sizeof plot->front, "%s-front.csv", name);
     snprintf(plot->x_label, sizeof plot->x_label, "nanoseconds for %s", trade->sample);
-    snprintf(plot->y_label, sizeof plot->y_label, "%s, %s", trade->error_name, trade->error_unit);
+    snprintf(plot->y_label, sizeof plot->y_label, "%s, %s%s", trade->error_name, trade->error_unit,
+             without ? " (0 is not drawn)" : "");
     plot->series[0] = (bl_series){.stroke = BL_STROKE_DASHED,
                                   .ink = BL_INK_THEORY,
                                   .file = plot->front,

@@ -12,7 +12,7 @@ typedef struct bl_trade_plot {
     bl_plot plot;
     bl_panel panel;
     bl_series series[3];
-    char table[96], front[96], x_label[96], y_label[128];
+    char table[96], front[96], x_label[96], y_label[160];
 } bl_trade_plot;
 
 // Describes the plot of cost against error, both logarithmic: NAME.csv has the alternatives, and
