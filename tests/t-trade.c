@@ -247,7 +247,7 @@ static void test_a_kernel_table_errs_as_its_step(void **state) {
         assert_near(find(&all, "table:1024")->error.value / at_64, 1.0 / 16, 0.1 / 16);
         assert_near(find(&all, "table:16")->error.value / at_64, 4, 0.4);
         assert_less(find(&all, "exact")->error.value, 1e-6);
-        assert_less(find(&all, "exact, in double")->largest, 1e-6);
+        assert_less(find(&all, "exact (double)")->largest, 1e-6);
         close_trade("kernel-table", &all);
     }
 }

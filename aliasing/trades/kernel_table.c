@@ -37,7 +37,7 @@ static bl_status add(const bl_signal *subject, const char *kernel, int in_double
     bl_signal *signal;
     bl_status status = bl_signal_with_setting(subject, "kernel", kernel, &signal, message);
     if (status == BL_OK)
-        status = bl_trade_add_signal(alternatives, in_double ? "exact, in double" : kernel, signal,
+        status = bl_trade_add_signal(alternatives, in_double ? "exact (double)" : kernel, signal,
                                      in_double ? bl_trade_work_double : NULL, message);
     if (status == BL_OK)
         bl_trade_compare(&alternatives->list[alternatives->count - 1],

@@ -137,13 +137,14 @@ static bl_status open_subject(const char *text, bl_signal **signal, bl_message *
 static bl_status write_table(bl_run *run, const char *name, const bl_alternatives *all,
                              const size_t *order, size_t count, bl_message *message) {
     const char *words[MOST];
-    double columns[7][MOST];
+    double columns[8][MOST];
     for (size_t i = 0; i < count; i++) {
         const bl_alternative *a = &all->list[order[i]];
-        const double numbers[7] = {a->error.value, a->error.lower, a->error.upper, a->largest,
-                                   a->ns,          a->ns_lowest,   a->ns_highest};
+        const double numbers[8] = {
+            a->error.value, a->error.lower, a->error.upper, a->largest,
+            a->ns,          a->ns_lowest,   a->ns_highest,  bl_trade_log_error(a)};
         words[i] = a->name;
-        for (int c = 0; c < 7; c++)
+        for (int c = 0; c < 8; c++)
             columns[c][i] = numbers[c];
     }
     const bl_column table[] = {{.name = "alternative", .words = words},
@@ -153,8 +154,9 @@ static bl_status write_table(bl_run *run, const char *name, const bl_alternative
                                {.name = "largest_error", .values = columns[3]},
                                {.name = "ns_per_sample", .values = columns[4]},
                                {.name = "ns_per_sample_lower", .values = columns[5]},
-                               {.name = "ns_per_sample_upper", .values = columns[6]}};
-    return bl_run_csv(run, name, "cost against error of the alternatives", table, 8, count,
+                               {.name = "ns_per_sample_upper", .values = columns[6]},
+                               {.name = "log10_error", .values = columns[7]}};
+    return bl_run_csv(run, name, "cost against error of the alternatives", table, 9, count,
                       message);
 }
 
@@ -189,7 +191,7 @@ static bl_status run_choice(bl_run *run, const choice *made, bl_message *message
     bl_signal_free(subject);
     if (status != BL_OK)
         return status;
-    status = draw(run, choice, trade, &all, message);
+    status = draw(run, made, trade, &all, message);
     if (status == BL_OK)
         made->claim(run, &all);
     bl_trade_close(trade, &all);
