@@ -70,6 +70,19 @@ static void work_points(void *state, size_t count) {
     fill_points(state, 0, count);
 }
 
+void bl_trade_fill_double(bl_trade_timed *timed, size_t first, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        double at[BL_AXES];
+        for (int a = 0; a < BL_AXES; a++)
+            at[a] = timed->places->at[a][first + i];
+        timed->out[i] = (float)bl_signal_value(timed->signal, at);
+    }
+}
+
+void bl_trade_work_double(void *state, size_t count) {
+    bl_trade_fill_double(state, 0, count);
+}
+
 bl_status bl_trade_add_signal(bl_alternatives *alternatives, const char *name, bl_signal *signal,
                               void (*work)(void *state, size_t count), bl_message *message) {
     bl_trade_timed *timed = calloc(1, sizeof *timed);

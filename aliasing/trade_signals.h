@@ -40,6 +40,11 @@ bl_status bl_trade_places_make(const bl_signal *truth, double from, double to,
 bl_status bl_trade_add_signal(bl_alternatives *alternatives, const char *name, bl_signal *signal,
                               void (*work)(void *state, size_t count), bl_message *message);
 
+// The reference in double instead: what to fill and to time with, where an alternative has no float
+// path, or for the sake of one that has none.
+void bl_trade_fill_double(bl_trade_timed *timed, size_t first, size_t count);
+void bl_trade_work_double(void *state, size_t count);
+
 // The root mean square of the differences from the reference over all places, in standard
 // deviations of the truth, and the largest; `fill` NULL: float values at points.
 void bl_trade_compare(bl_alternative *alternative, bl_trade_fill fill);

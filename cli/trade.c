@@ -124,6 +124,12 @@ static json_t *trade_json(const bl_trade *trade, const bl_alternatives *alternat
     return object;
 }
 
+static void print_head(FILE *out, const trade_subject *subject) {
+    fputs("cost against error of ", out);
+    bl_plain_text(out, subject->text);
+    fputs("; * nothing is both cheaper and better\n", out);
+}
+
 static void print_trade(FILE *out, const bl_trade *trade, const bl_alternatives *alternatives) {
     int width = 11;
     for (size_t i = 0; i < alternatives->count; i++) {
@@ -148,7 +154,7 @@ static void print_trade(FILE *out, const bl_trade *trade, const bl_alternatives 
 }
 
 static bl_status run_one(bl_call *call, const trade_subject *subject, const bl_trade *trade,
-                         json_t *list) {
+                         int is_first, json_t *list) {
     const trade_options *options = call->settings;
     const bl_trade_settings settings = {.seed = call->common.seed,
                                         .threads = bl_call_threads(call),
@@ -168,8 +174,11 @@ static bl_status run_one(bl_call *call, const trade_subject *subject, const bl_t
             bl_trade_files_write(trade, subject->text, &alternatives, call->path, &call->message);
     if (status == BL_OK && list)
         json_array_append_new(list, trade_json(trade, &alternatives));
-    else if (status == BL_OK && !call->common.quiet)
+    else if (status == BL_OK && !call->common.quiet) {
+        if (is_first)
+            print_head(call->out, subject);
         print_trade(call->out, trade, &alternatives);
+    }
     bl_trade_close(trade, &alternatives);
     return status;
 }
@@ -187,13 +196,9 @@ static bl_status run_trade(bl_call *call) {
         bl_json_set_count(object, "seed", call->common.seed);
         list = json_array();
         json_object_set_new(object, "trades", list);
-    } else if (status == BL_OK && !call->common.quiet) {
-        fputs("cost against error of ", call->out);
-        bl_plain_text(call->out, subject.text);
-        fputs("; * nothing is both cheaper and better\n", call->out);
     }
     for (size_t i = 0; i < count && status == BL_OK; i++)
-        status = run_one(call, &subject, chosen[i], list);
+        status = run_one(call, &subject, chosen[i], i == 0, list);
     bl_signal_free(subject.signal);
     return status;
 }

@@ -14,7 +14,7 @@ _bandlimit_keys() {
 
 _bandlimit() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
-    local verbs="list show eval render spectrum histogram check score compare alias reproduce bench help version"
+    local verbs="list show eval render spectrum histogram check score compare alias trade advise reproduce bench help version"
     local common="--json -o --output --seed --threads --quick --full --isa -q --quiet -h --help
         --version"
     local spectral="--dims --axis --rate --size --average --window --place --level"
@@ -47,12 +47,16 @@ _bandlimit() {
         ;;
     --view) COMPREPLY=($(compgen -W "$(_bandlimit_names views)" -- "$current")) ;;
     --filter) COMPREPLY=($(compgen -W "all $(_bandlimit_names methods)" -- "$current")) ;;
+    --trade)
+        COMPREPLY=($(compgen -W "kernel-table interpolation impulses precision octaves curve-form
+            step-filter texture-filter averages" -- "$current"))
+        ;;
     --pixel) COMPREPLY=($(compgen -W "box gaussian" -- "$current")) ;;
     --cache) COMPREPLY=($(compgen -d -- "$current")) ;;
     --bits) COMPREPLY=($(compgen -W "8 16" -- "$current")) ;;
     -o | --output) COMPREPLY=($(compgen -f -- "$current")) ;;
     --seed | --threads | --rate | --size | --average | --level | --band | --leak | --guard | \
-        --autocorrelation | --alpha | --samples | --bins | --range | --width | --height | --scale | --at) return ;;
+        --autocorrelation | --alpha | --tolerance | --samples | --bins | --range | --width | --height | --scale | --at) return ;;
     esac
     [[ ${#COMPREPLY[@]} -gt 0 ]] && return
 
@@ -123,6 +127,14 @@ _bandlimit() {
         options="--view --filter --size --pixel --cache"
         words="$(_bandlimit_names textures) $(_bandlimit_names primitives) $(_bandlimit_names noises)"
         files=yes
+        ;;
+    trade)
+        options="--trade --view"
+        words="spectrum $(_bandlimit_names textures) $(_bandlimit_names primitives) $(_bandlimit_names noises)"
+        ;;
+    advise)
+        options="--view --tolerance --largest --filter --size"
+        words="$(_bandlimit_names textures) $(_bandlimit_names primitives) $(_bandlimit_names noises)"
         ;;
     reproduce)
         options="--format"

@@ -23,55 +23,55 @@ size_t bl_trade_front(const bl_alternatives *alternatives, size_t *order) {
     return count;
 }
 
-// Room on both sides, and for the words at the right.
-static bl_axis axis_of(const char *label, double least, double most, double room) {
-    bl_axis axis = {.label = label, .logarithmic = 1};
-    if (least < INFINITY) {
-        axis.from = least / 1.6;
-        axis.to = most * room;
-    }
-    return axis;
+double bl_trade_log_error(const bl_alternative *alternative) {
+    return alternative->error.value > 0 ? log10(alternative->error.value) : NAN;
 }
 
 void bl_trade_plot_describe(const bl_trade *trade, const bl_alternatives *alternatives,
                             const char *name, bl_trade_plot *plot) {
-    double least[2] = {INFINITY, INFINITY}, most[2] = {0, 0};
+    double least[2] = {INFINITY, INFINITY}, most[2] = {-INFINITY, -INFINITY};
+    int without = 0; // errors
     for (size_t i = 0; i < alternatives->count; i++) {
         const bl_alternative *a = &alternatives->list[i];
-        const double drawn[2] = {a->ns, a->error.value};
-        for (int k = 0; k < 2 && a->ns > 0 && a->error.value > 0; k++) {
+        const double drawn[2] = {a->ns, bl_trade_log_error(a)};
+        without |= a->error.value <= 0;
+        for (int k = 0; k < 2 && a->ns > 0 && isfinite(drawn[1]); k++) {
             least[k] = fmin(least[k], drawn[k]);
             most[k] = fmax(most[k], drawn[k]);
         }
     }
+    // Room on both sides, and for the words at the right.
+    bl_axis x = {.label = plot->x_label, .logarithmic = 1}, y = {.label = plot->y_label};
+    if (least[0] <= most[0]) {
+        x.from = least[0] / 1.6, x.to = most[0] * 2.5;
+        y.from = floor(least[1]) - 0.2, y.to = ceil(most[1]) + 0.2;
+    }
     snprintf(plot->table, sizeof plot->table, "%s.csv", name);
     snprintf(plot->front, sizeof plot->front, "%s-front.csv", name);
     snprintf(plot->x_label, sizeof plot->x_label, "nanoseconds for %s", trade->sample);
-    snprintf(plot->y_label, sizeof plot->y_label, "%s, %s", trade->error_name, trade->error_unit);
+    snprintf(plot->y_label, sizeof plot->y_label, "log10 of the %s, %s%s", trade->error_name,
+             trade->error_unit, without ? " (0 is not drawn)" : "");
     plot->series[0] = (bl_series){.stroke = BL_STROKE_DASHED,
                                   .ink = BL_INK_THEORY,
                                   .file = plot->front,
                                   .x = "ns_per_sample",
-                                  .y = "error",
+                                  .y = "log10_error",
                                   .label = "nothing is both cheaper and better"};
     plot->series[1] = (bl_series){.stroke = BL_STROKE_POINTS,
                                   .ink = BL_INK_MEASURED,
                                   .file = plot->table,
                                   .x = "ns_per_sample",
-                                  .y = "error",
+                                  .y = "log10_error",
                                   .label = "measured"};
     plot->series[2] = (bl_series){.stroke = BL_STROKE_WORDS,
                                   .ink = BL_INK_PLAIN,
                                   .file = plot->table,
                                   .x = "ns_per_sample",
-                                  .y = "error",
+                                  .y = "log10_error",
                                   .upper = "alternative"};
     plot->panel = (bl_panel){.title = trade->title, .series = plot->series, .series_count = 3};
-    plot->plot = (bl_plot){.title = trade->question,
-                           .x = axis_of(plot->x_label, least[0], most[0], 2.5),
-                           .y = axis_of(plot->y_label, least[1], most[1], 1.6),
-                           .panels = &plot->panel,
-                           .panel_count = 1};
+    plot->plot = (bl_plot){
+        .title = trade->question, .x = x, .y = y, .panels = &plot->panel, .panel_count = 1};
 }
 
 // Numbers that are not known are empty fields.
@@ -90,6 +90,7 @@ static void put_row(FILE *out, const bl_alternative *a) {
     put_number(out, a->ns, ',');
     put_number(out, a->ns_lowest, ',');
     put_number(out, a->ns_highest, ',');
+    put_number(out, bl_trade_log_error(a), ',');
     fprintf(out, "%d\n", a->front);
 }
 
@@ -106,7 +107,7 @@ static bl_status write_table(const bl_trade *trade, const char *subject, const c
     fprintf(file.stream,
             "\n# error: %s, %s; time: nanoseconds for %s, the median and the quarters\n"
             "alternative,error,error_lower,error_upper,largest_error,ns_per_sample,"
-            "ns_per_sample_lower,ns_per_sample_upper,front\n",
+            "ns_per_sample_lower,ns_per_sample_upper,log10_error,front\n",
             trade->error_name, trade->error_unit, trade->sample);
     for (size_t i = 0; i < count; i++)
         put_row(file.stream, &alternatives->list[order ? order[i] : i]);

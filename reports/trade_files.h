@@ -12,14 +12,17 @@ typedef struct bl_trade_plot {
     bl_plot plot;
     bl_panel panel;
     bl_series series[3];
-    char table[96], front[96], x_label[96], y_label[128];
+    char table[96], front[96], x_label[96], y_label[192];
 } bl_trade_plot;
 
-// Describes the plot of cost against error, both logarithmic: NAME.csv has the alternatives, and
-// NAME-front.csv those of the front, in the order of their cost. What has no error at all is not
-// drawn. `plot` stays where it is while it is used.
+// Describes the plot of cost against error, both on logarithmic scales: NAME.csv has the
+// alternatives, and NAME-front.csv those of the front, in the order of their cost. What has no
+// error at all is not drawn. `plot` stays where it is while it is used.
 void bl_trade_plot_describe(const bl_trade *trade, const bl_alternatives *alternatives,
                             const char *name, bl_trade_plot *plot);
+
+// The logarithm of base 10 of an error; NAN for none.
+double bl_trade_log_error(const bl_alternative *alternative);
 
 // Writes NAME.csv, NAME-front.csv, NAME.gp, NAME.svg and NAME.png for a trade of this subject into
 // the folder, which it makes. Errors: BL_DEVICE.

@@ -48,7 +48,7 @@ static bl_estimate size_of(bl_estimate excess) {
 
 static bl_status measure(bl_alternative *alternative, const bl_trade_settings *settings,
                          bl_message *message) {
-    static const size_t seeds[] = {24, 128, 1024};
+    static const size_t seeds[] = {64, 256, 2048};
     bl_trade_timed *timed = alternative->state;
     double *excess = malloc(seeds[settings->size] * sizeof *excess);
     if (!excess)
@@ -88,8 +88,8 @@ BL_TRADE_DESCRIPTOR(impulses) = {
     .title = "number of impulses",
     .question = "How many impulses a cell until the values are normal?",
     .paper = "peachey2003, p. 81",
-    .error_name = "excess kurtosis (its size; the normal limit has none)",
-    .error_unit = "1",
+    .error_name = "excess kurtosis, its size",
+    .error_unit = "0 for the normal limit",
     .sample = "a value at a scattered point",
     .applies = applies,
     .open = open,

@@ -22,19 +22,6 @@ static int applies(const bl_signal *subject, const char *word) {
            isfinite(subject->facts.lower) && subject->facts.upper > subject->facts.lower;
 }
 
-static void fill_double(bl_trade_timed *timed, size_t first, size_t count) {
-    for (size_t i = 0; i < count; i++) {
-        double at[BL_AXES];
-        for (int a = 0; a < BL_AXES; a++)
-            at[a] = timed->places->at[a][first + i];
-        timed->out[i] = (float)bl_signal_value(timed->signal, at);
-    }
-}
-
-static void work_double(void *state, size_t count) {
-    fill_double(state, 0, count);
-}
-
 // Places are below 2^6 and bits at most 24, so the scaled numbers are below 2^30 and exact.
 static void fill_fixed(bl_trade_timed *timed, size_t first, size_t count) {
     double at[BL_AXES][BL_TRADE_BATCH];
@@ -65,7 +52,7 @@ static bl_status add(const bl_signal *subject, const char *name, unsigned bits,
                          subject->text);
     bl_status status = bl_trade_add_signal(alternatives, name, copy,
                                            bits        ? work_fixed
-                                           : is_double ? work_double
+                                           : is_double ? bl_trade_work_double
                                                        : NULL,
                                            message);
     if (status != BL_OK)

@@ -10,28 +10,11 @@
 #include "aliasing/alias.h"
 #include "aliasing/trade.h"
 #include "aliasing/trade_signals.h"
-
-#include <math.h>
-#include <string.h>
-
-enum { METHODS_MOST = 24 };
+#include "aliasing/usual_methods.h"
 
 static int applies(const bl_signal *subject, const char *word) {
     (void)word;
     return subject && subject->dimensions > 1 && bl_method_own_key(subject);
-}
-
-static size_t list_methods(const bl_signal *subject, const char **methods) {
-    static const char *const usual[] = {"point",           "supersample:n=2", "supersample:n=3",
-                                        "supersample:n=4", "supersample:n=8", "mean"};
-    const char *const *word = bl_signal_choices(subject, bl_method_own_key(subject));
-    size_t count = 0;
-    for (size_t i = 0; i < sizeof usual / sizeof *usual; i++)
-        methods[count++] = usual[i];
-    for (; *word && count < METHODS_MOST; word++)
-        if (strcmp(*word, "none") != 0) // which is point sampling
-            methods[count++] = *word;
-    return count;
 }
 
 static bl_alias_settings settings_of(const bl_trade_settings *settings) {
@@ -48,11 +31,11 @@ static bl_alias_settings settings_of(const bl_trade_settings *settings) {
     return alias;
 }
 
-static bl_status take(const bl_alias_result *result, bl_alternatives *alternatives,
-                      bl_message *message) {
+static bl_status take(const bl_alias_result *result, const char *const *methods,
+                      bl_alternatives *alternatives, bl_message *message) {
     for (size_t i = 0; i < result->count; i++) {
         const bl_alias_row *row = &result->rows[i];
-        bl_alternative *added = bl_alternatives_add(alternatives, row->filter);
+        bl_alternative *added = bl_alternatives_add(alternatives, methods[i]);
         if (!added)
             return bl_report(message, BL_DEVICE, "out of memory for a trade");
         added->error = bl_root_estimate(row->mse);
@@ -67,9 +50,9 @@ static bl_status take(const bl_alias_result *result, bl_alternatives *alternativ
 static bl_status open(const bl_signal *subject, const bl_trade_settings *settings,
                       bl_alternatives *alternatives, bl_message *message) {
     static const size_t sizes[] = {48, 128, 256};
-    const char *methods[METHODS_MOST];
+    const char *methods[BL_METHODS_MOST];
     const bl_alias_settings alias = settings_of(settings);
-    size_t size = sizes[settings->size], count = list_methods(subject, methods);
+    size_t size = sizes[settings->size], count = bl_usual_methods(subject, methods);
     bl_view view;
     bl_alias_result result;
     bl_status status =
@@ -80,7 +63,7 @@ static bl_status open(const bl_signal *subject, const bl_trade_settings *setting
     bl_view_close(&view);
     if (status != BL_OK)
         return status;
-    status = take(&result, alternatives, message);
+    status = take(&result, methods, alternatives, message);
     bl_alias_free(&result);
     return status;
 }

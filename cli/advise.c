@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `advise`: the cheapest way to sample a texture under a view within a tolerance.
+#include "aliasing/advise.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "aliasing/usual_methods.h"
+#include "cli/json.h"
+#include "cli/plain.h"
+#include "cli/verb.h"
+
+typedef struct advise_options {
+    const char *view, *tolerance;
+    int largest;
+    uint64_t size;
+    bl_words filters;
+} advise_options;
+
+static const char axes[] = "xyzw";
+
+// --- settings -----------------------------------------------------------------------------------
+
+static bl_advise_settings settings_of(const bl_call *call, double tolerance) {
+    const advise_options *options = call->settings;
+    bl_advise_settings settings = {
+        .tolerance = tolerance, .largest = options->largest, .alias = bl_alias_default_settings()};
+    bl_alias_settings *alias = &settings.alias;
+    alias->frames = 0;
+    alias->seed = call->common.seed;
+    alias->threads = bl_call_threads(call);
+    alias->rounds = call->common.full ? 101 : call->common.quick ? 9 : 25;
+    alias->turn_seconds = call->common.quick ? 5e-4 : 2e-3;
+    alias->replicates = call->common.full ? 8 : 2;
+    alias->finest = call->common.quick ? 4 : 8;
+    alias->most_samples = call->common.full ? 1 << 14 : call->common.quick ? 256 : 1024;
+    return settings;
+}
+
+static bl_status read_tolerance(bl_call *call, double *tolerance) {
+    const advise_options *options = call->settings;
+    if (bl_read_real(options->tolerance, tolerance) && *tolerance > 0)
+        return BL_OK;
+    return bl_report(&call->message, BL_USAGE,
+                     "--tolerance %s: not a number above 0; write it as 1/255 or 0.004",
+                     options->tolerance);
+}
+
+static size_t choose_methods(const bl_call *call, const bl_signal *signal, const char **methods) {
+    const advise_options *options = call->settings;
+    size_t count = 0;
+    if (options->filters.count == 0)
+        return bl_usual_methods(signal, methods);
+    for (; count < options->filters.count && count < BL_METHODS_MOST; count++)
+        methods[count] = options->filters.words[count];
+    return count;
+}
+
+// --- JSON ---------------------------------------------------------------------------------------
+
+static json_t *row_json(const bl_advice *advice, size_t row) {
+    json_t *object = json_object();
+    const bl_alias_row *measured = &advice->alias.rows[row];
+    bl_json_set_text(object, "filter", measured->filter);
+    bl_json_set_estimate(object, "error", &advice->error[row]);
+    bl_json_set_number(object, "max_error", measured->max_error);
+    bl_json_set_estimate(object, "alias", &measured->alias);
+    bl_json_set_estimate(object, "blur", &measured->blur);
+    bl_json_set_number(object, "ns_per_sample", measured->ns_per_sample);
+    bl_json_set_number(object, "ns_per_sample_lower", measured->ns_lowest);
+    bl_json_set_number(object, "ns_per_sample_upper", measured->ns_highest);
+    bl_json_set_number(object, "samples_per_pixel", measured->samples);
+    bl_json_set_count(object, "worst_x_pixel", advice->worst[row].x);
+    bl_json_set_count(object, "worst_y_pixel", advice->worst[row].y);
+    bl_json_set_number(object, "worst_error", advice->worst[row].error);
+    bl_json_set_number(object, "worst_width", advice->worst[row].width);
+    return object;
+}
+
+static json_t *needs_json(const bl_scene_needs *needs, unsigned dimensions) {
+    json_t *object = json_object(), *unused = json_array();
+    bl_json_set_number(object, "least_width", needs->least_width);
+    bl_json_set_number(object, "most_width", needs->most_width);
+    bl_json_set_number(object, "highest_frequency", needs->highest_frequency);
+    for (unsigned a = 0; a < dimensions; a++)
+        if (!needs->varies[a])
+            json_array_append_new(unused, json_stringn(&axes[a], 1));
+    json_object_set_new(object, "dimensions_not_used", unused);
+    if (needs->octaves) {
+        bl_json_set_count(object, "octaves", needs->octaves);
+        bl_json_set_count(object, "octaves_seen", needs->octaves_seen);
+    }
+    return object;
+}
+
+static void set_row(json_t *object, const char *key, const bl_advice *advice, size_t row) {
+    if (row == SIZE_MAX)
+        json_object_set_new(object, key, json_null());
+    else
+        bl_json_set_text(object, key, advice->alias.rows[row].filter);
+}
+
+static void fill_json(json_t *object, const bl_signal *signal, const bl_view *view,
+                      const bl_advise_settings *settings, const bl_advice *advice) {
+    json_t *rows = json_array();
+    bl_json_set_text(object, "signal", signal->text);
+    bl_json_set_text(object, "view", view->text);
+    bl_json_set_count(object, "width_pixels", view->width);
+    bl_json_set_count(object, "height_pixels", view->height);
+    bl_json_set_number(object, "tolerance", settings->tolerance);
+    bl_json_set_text(object, "measure", settings->largest ? "largest" : "rms");
+    bl_json_set_number(object, "reference_rms_error", advice->alias.reference_error);
+    bl_json_set_text(object, "verdict", bl_status_word(advice->verdict));
+    set_row(object, "advice", advice, advice->verdict == BL_OK ? advice->chosen : SIZE_MAX);
+    set_row(object, "best", advice, advice->chosen);
+    set_row(object, "next_cheaper", advice, advice->cheaper);
+    for (size_t i = 0; i < advice->alias.count; i++)
+        json_array_append_new(rows, row_json(advice, i));
+    json_object_set_new(object, "rows", rows);
+    json_object_set_new(object, "needs", needs_json(&advice->needs, signal->dimensions));
+}
+
+// --- the report ---------------------------------------------------------------------------------
+
+static void print_fault(FILE *out, const bl_advice *advice, size_t row, double tolerance,
+                        const char *measure) {
+    const bl_alias_row *measured = &advice->alias.rows[row];
+    const bl_worst_pixel *worst = &advice->worst[row];
+    fprintf(out, "  its %s error is %.3g, %.3g times the tolerance, more of it %s\n", measure,
+            advice->error[row].value, advice->error[row].value / tolerance,
+            measured->alias.value > measured->blur.value ? "alias than blur" : "blur than alias");
+    fprintf(out, "  it is furthest off at pixel (%zu, %zu), by %+.3g", worst->x, worst->y,
+            worst->error);
+    if (isfinite(worst->width))
+        fprintf(out, ", where a sample is %.3g units wide", worst->width);
+    fputs("\n", out);
+}
+
+static void print_choice(FILE *out, const bl_advice *advice, double tolerance,
+                         const char *measure) {
+    const bl_alias_row *chosen = &advice->alias.rows[advice->chosen];
+    if (advice->verdict == BL_OK)
+        fprintf(out, "use %s: %s error %.3g (%.3g to %.3g), %.4g ns a pixel (%.4g to %.4g)\n",
+                chosen->filter, measure, advice->error[advice->chosen].value,
+                advice->error[advice->chosen].lower, advice->error[advice->chosen].upper,
+                chosen->ns_per_sample, chosen->ns_lowest, chosen->ns_highest);
+    else {
+        fprintf(out, "none is %swithin the tolerance; the nearest is %s, %.4g ns a pixel\n",
+                advice->verdict == BL_FAIL ? "" : "surely ", chosen->filter, chosen->ns_per_sample);
+        print_fault(out, advice, advice->chosen, tolerance, measure);
+        if (advice->verdict == BL_INCONCLUSIVE)
+            fputs("  its interval holds the tolerance: --full converges the reference further\n",
+                  out);
+    }
+    if (advice->cheaper == SIZE_MAX) {
+        fputs("nothing that was measured is cheaper\n", out);
+        return;
+    }
+    fprintf(out, "the next cheaper is %s, %.4g ns a pixel\n",
+            advice->alias.rows[advice->cheaper].filter,
+            advice->alias.rows[advice->cheaper].ns_per_sample);
+    print_fault(out, advice, advice->cheaper, tolerance, measure);
+}
+
+static void print_needs(FILE *out, const bl_scene_needs *needs, unsigned dimensions) {
+    fputs("what the scene does not need\n", out);
+    fprintf(out, "  widths below %.3g and above %.3g units: no sample has them\n",
+            needs->least_width, needs->most_width);
+    if (needs->octaves_seen < needs->octaves)
+        fprintf(out, "  octaves: %u of %u have a frequency of %.3g or more, which no pixel shows\n",
+                needs->octaves - needs->octaves_seen, needs->octaves, needs->highest_frequency);
+    else if (needs->octaves)
+        fprintf(out, "  octaves: all %u are seen\n", needs->octaves);
+    for (unsigned a = 0; a < dimensions; a++)
+        if (!needs->varies[a])
+            fprintf(out, "  the dimension %c: it is %.6g all over\n", axes[a], needs->least[a]);
+}
+
+static void print_advice(FILE *out, const bl_signal *signal, const bl_view *view,
+                         const bl_advise_settings *settings, const bl_advice *advice) {
+    const char *measure = settings->largest ? "largest" : "rms";
+    bl_plain_text(out, signal->text);
+    fputs(" under ", out);
+    bl_plain_text(out, view->text);
+    fprintf(out, ", %zu x %zu pixels, %s error at most %.4g\n\n", view->width, view->height,
+            measure, settings->tolerance);
+    print_choice(out, advice, settings->tolerance, measure);
+    fputs("\n", out);
+    print_needs(out, &advice->needs, signal->dimensions);
+    fprintf(out, "\nreference: rms error below %.2g; %zu ways were measured\n",
+            advice->alias.reference_error, advice->alias.count);
+}
+
+// --- the verb -----------------------------------------------------------------------------------
+
+static bl_status advise(bl_call *call, const bl_signal *signal, const bl_view *view,
+                        double tolerance) {
+    const bl_advise_settings settings = settings_of(call, tolerance);
+    const char *methods[BL_METHODS_MOST];
+    size_t count = choose_methods(call, signal, methods);
+    bl_advice advice;
+    bl_progress(call, "measuring %zu ways to sample %s ...", count, signal->text);
+    bl_status status = bl_advise(signal, view, methods, count, &settings, &advice, &call->message);
+    bl_progress(call, NULL);
+    if (status != BL_OK)
+        return status;
+    if (bl_json_start(call))
+        fill_json(call->json, signal, view, &settings, &advice);
+    else if (!call->common.quiet)
+        print_advice(call->out, signal, view, &settings, &advice);
+    status = advice.verdict;
+    bl_advice_free(&advice);
+    call->message.text[0] = '\0';
+    return status;
+}
+
+static bl_status run_advise(bl_call *call) {
+    const advise_options *options = call->settings;
+    size_t size = options->size ? options->size : call->common.quick ? 48 : 128;
+    double tolerance;
+    bl_view view;
+    bl_signal *signal;
+    bl_status status = read_tolerance(call, &tolerance);
+    if (status == BL_OK)
+        status = bl_view_open(options->view, size, size, &view, &call->message);
+    if (status != BL_OK)
+        return status;
+    status = bl_call_open(call, call->operands.words[0], &signal);
+    if (status == BL_OK) {
+        status = advise(call, signal, &view, tolerance);
+        bl_signal_free(signal);
+    }
+    bl_view_close(&view);
+    return status;
+}
+
+#define AT(member) offsetof(advise_options, member)
+static const bl_option options[] = {
+    {.name = "view",
+     .kind = BL_OPTION_WORD,
+     .offset = AT(view),
+     .value = "VIEW",
+     .fallback = "plane",
+     .help = "what the pixels see, as plane:height=1,fov=60 (default: plane)"},
+    {.name = "tolerance",
+     .kind = BL_OPTION_WORD,
+     .offset = AT(tolerance),
+     .value = "E",
+     .fallback = "1/255",
+     .help = "the error allowed, of the linear luminance (default: 1/255)"},
+    {.name = "largest",
+     .kind = BL_OPTION_FLAG,
+     .offset = AT(largest),
+     .help = "the tolerance holds for every pixel, and not for the root mean square"},
+    {.name = "filter",
+     .kind = BL_OPTION_WORDS,
+     .offset = AT(filters),
+     .value = "METHOD",
+     .help = "a way to sample, as alias takes them; may be repeated (default: the usual ones)"},
+    {.name = "size",
+     .kind = BL_OPTION_UNSIGNED,
+     .offset = AT(size),
+     .value = "N",
+     .minimum = 0,
+     .maximum = 2048,
+     .help = "pixels of each side of the image (default: 128; --quick 48)"},
+    {0}};
+
+const bl_verb bl_verb_advise = {
+    .name = "advise",
+    .operands = "SIGNAL",
+    .summary = "the cheapest way to sample within a tolerance",
+    .text =
+        "Measures every usual way to sample a texture, a primitive or a noise under a view, and "
+        "tells the cheapest whose error stays within the tolerance, what it costs, what the next "
+        "cheaper one gets wrong and where, and what the scene does not need: widths that no "
+        "sample has, octaves that no pixel shows, dimensions that do not vary. The exit status is "
+        "0 if there is one, 1 if the reference is not known well enough to tell, 2 if there is "
+        "none.",
+    .least = 1,
+    .most = 1,
+    .output_help = "write the report to PATH instead of stdout",
+    .options = options,
+    .settings_size = sizeof(advise_options),
+    .run = run_advise,
+};

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+//
+// cost-against-error: four choices that every renderer makes, each with all its alternatives: the
+// table of a radial kernel, the precision of a noise, the kernel of a filtered step, and a power
+// against Schlick's form. The measurements are those of the verb `trade`.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "aliasing/trade.h"
+#include "filters/primitive.h"
+#include "noises/noise.h"
+#include "reports/figures/estimates.h"
+#include "reports/trade_files.h"
+
+enum { MOST = 16 };
+
+typedef struct choice {
+    const char *trade, *subject, *alternative;
+    void (*claim)(bl_run *run, const bl_alternatives *alternatives);
+} choice;
+
+static const bl_alternative *find(const bl_alternatives *alternatives, const char *name) {
+    static const bl_alternative none = {
+        .error = {NAN, NAN, NAN, 0.95, 0}, .ns = NAN, .ns_lowest = NAN, .ns_highest = NAN};
+    for (size_t i = 0; i < alternatives->count; i++)
+        if (strcmp(alternatives->list[i].name, name) == 0)
+            return &alternatives->list[i];
+    return &none;
+}
+
+// The ratio of two times of one run, with the quarters of both; at 92 % or more.
+static bl_estimate times_as_long(const bl_alternative *a, const bl_alternative *b) {
+    return (bl_estimate){a->ns / b->ns, a->ns_lowest / b->ns_highest, a->ns_highest / b->ns_lowest,
+                         0.92, 15};
+}
+
+static bl_estimate ratio(const bl_estimate *a, const bl_estimate *b) {
+    double value = a->value / b->value;
+    double below = hypot((a->value - a->lower) / a->value, (b->upper - b->value) / b->value);
+    double above = hypot((a->upper - a->value) / a->value, (b->value - b->lower) / b->value);
+    return (bl_estimate){value, value * (1 - below), value * (1 + above), a->level,
+                         fmin(a->samples, b->samples)};
+}
+
+// --- what is claimed ----------------------------------------------------------------------------
+
+static void claim_tables(bl_run *run, const bl_alternatives *all) {
+    const bl_estimate of_64 = ratio(&find(all, "table:64")->error, &find(all, "table:1024")->error);
+    bl_make_claim(run, "bandlimit",
+                  "A table of 100 entries a unit of squared distance, the text's, is off by less "
+                  "than 1/100 of the standard deviation.",
+                  "rms error of vcnoise against the exact kernel", "standard deviations", 0, 0.01,
+                  find(all, "table:100")->error, "places");
+    bl_make_claim(run, "bandlimit",
+                  "The error of the nearest entry is as the step of the table: that of 64 entries "
+                  "is 16 times that of 1024.",
+                  "rms errors of vcnoise", "", 14, 18, of_64, "places");
+    bl_make_claim(run, "bandlimit",
+                  "The exact kernel in float is at least twice as fast as any table found in "
+                  "double: the time of a table of 1024 over that of the loops without one.",
+                  "vcnoise at scattered points, timed by turns", "", 2, INFINITY,
+                  times_as_long(find(all, "table:1024"), find(all, "exact")), "turns");
+}
+
+static void claim_precision(bl_run *run, const bl_alternatives *all) {
+    const bl_estimate bits = ratio(&find(all, "fixed:8")->error, &find(all, "fixed:16")->error);
+    bl_make_claim(run, "bandlimit",
+                  "Each bit of fixed point halves the error: that of 8 bits is 256 times that of "
+                  "16.",
+                  "rms errors of gnoise", "", 235, 279, bits, "places");
+    bl_make_claim(run, "bandlimit",
+                  "Float is better than 20 bits of fixed point: the error of these over that of "
+                  "float.",
+                  "rms errors of gnoise", "", 2, INFINITY,
+                  ratio(&find(all, "fixed:20")->error, &find(all, "float")->error), "places");
+}
+
+static void claim_steps(bl_run *run, const bl_alternatives *all) {
+    bl_make_claim(run, "bandlimit",
+                  "A box of one sample removes nine tenths of what a step has beyond the Nyquist "
+                  "frequency.",
+                  "by its response", "of the bare step's", 0, 0.1, find(all, "box")->error, NULL);
+    bl_make_claim(
+        run, "peachey2003, p. 64",
+        "The smooth cubic step is a better filtered step than the linear one of the box: "
+        "the leak of smoothstep over that of the box, both one sample wide.",
+        "by their responses", "", 0, 1,
+        bl_exactly(find(all, "smoothstep")->error.value / find(all, "box")->error.value, 1), NULL);
+}
+
+static void claim_forms(bl_run *run, const bl_alternatives *all) {
+    bl_make_claim(run, "peachey2003, p. 39",
+                  "Schlick's forms can be evaluated more quickly than the powers: the time of the "
+                  "power over that of Schlick's bias.",
+                  "bias:b=0.7, timed by turns", "", 1, INFINITY,
+                  times_as_long(find(all, "power"), find(all, "schlick")), "turns");
+    bl_make_claim(run, "bandlimit",
+                  "Schlick's bias of 0.7 differs from the power by 1/10 of the range or a little "
+                  "more, at worst.",
+                  "largest difference at random places in [0, 1]", "of the range", 0.095, 0.115,
+                  bl_observed(find(all, "schlick")->largest, find(all, "schlick")->error.samples),
+                  "places");
+}
+
+static const choice choices[] = {
+    {"kernel-table", "vcnoise",
+     "Error against time: tables of ever more entries stand at one time, each with a smaller "
+     "error; the exact kernel in float is both faster and better than all.",
+     claim_tables},
+    {"precision", "gnoise",
+     "Error against time: fixed point of 8 to 24 bits at one time with ever smaller errors, float "
+     "faster and better.",
+     claim_precision},
+    {"step-filter", "step",
+     "Leak against time: from the bare step down over the box and the tent to the Gaussian; the "
+     "Lanczos kernel costs far more.",
+     claim_steps},
+    {"curve-form", "bias",
+     "Error against time: two points, the power exact and slow, Schlick's form fast and off.",
+     claim_forms}};
+
+// --- the figure ---------------------------------------------------------------------------------
+
+static bl_status open_subject(const char *text, bl_signal **signal, bl_message *message) {
+    bl_spec spec;
+    const bl_definition *definition = bl_noise_find(text, BL_ISA_BEST);
+    bl_status status = bl_spec_parse(text, &spec, message);
+    if (status != BL_OK)
+        return status;
+    status = bl_definition_open(definition ? definition : bl_primitive_find(text), &spec, text,
+                                signal, message);
+    bl_spec_free(&spec);
+    return status;
+}
+
+static bl_status write_table(bl_run *run, const char *name, const bl_alternatives *all,
+                             const size_t *order, size_t count, bl_message *message) {
+    const char *words[MOST];
+    double columns[8][MOST];
+    for (size_t i = 0; i < count; i++) {
+        const bl_alternative *a = &all->list[order[i]];
+        const double numbers[8] = {
+            a->error.value, a->error.lower, a->error.upper, a->largest,
+            a->ns,          a->ns_lowest,   a->ns_highest,  bl_trade_log_error(a)};
+        words[i] = a->name;
+        for (int c = 0; c < 8; c++)
+            columns[c][i] = numbers[c];
+    }
+    const bl_column table[] = {{.name = "alternative", .words = words},
+                               {.name = "error", .values = columns[0]},
+                               {.name = "error_lower", .values = columns[1]},
+                               {.name = "error_upper", .values = columns[2]},
+                               {.name = "largest_error", .values = columns[3]},
+                               {.name = "ns_per_sample", .values = columns[4]},
+                               {.name = "ns_per_sample_lower", .values = columns[5]},
+                               {.name = "ns_per_sample_upper", .values = columns[6]},
+                               {.name = "log10_error", .values = columns[7]}};
+    return bl_run_csv(run, name, "cost against error of the alternatives", table, 9, count,
+                      message);
+}
+
+static bl_status draw(bl_run *run, const choice *made, const bl_trade *trade,
+                      const bl_alternatives *all, bl_message *message) {
+    size_t every[MOST], front[MOST], count = all->count < MOST ? all->count : MOST;
+    bl_trade_plot plot;
+    char name[96];
+    for (size_t i = 0; i < count; i++)
+        every[i] = i;
+    snprintf(name, sizeof name, "%s-front", trade->name);
+    bl_status status = write_table(run, trade->name, all, every, count, message);
+    if (status == BL_OK)
+        status = write_table(run, name, all, front, bl_trade_front(all, front), message);
+    bl_trade_plot_describe(trade, all, trade->name, &plot);
+    return status == BL_OK ? bl_run_plot(run, trade->name, &plot.plot, made->alternative, message)
+                           : status;
+}
+
+static bl_status run_choice(bl_run *run, const choice *made, bl_message *message) {
+    const bl_trade *trade = bl_trade_find(made->trade);
+    const bl_trade_settings settings = {.seed = bl_run_settings(run)->seed,
+                                        .threads = bl_run_settings(run)->threads,
+                                        .size = (int)bl_run_pick(run, 0, 1, 2)};
+    bl_signal *subject;
+    bl_alternatives all;
+    bl_status status = open_subject(made->subject, &subject, message);
+    if (status != BL_OK)
+        return status;
+    bl_run_setting(run, made->trade, subject->text);
+    status = bl_trade_run(trade, subject, &settings, &all, message);
+    bl_signal_free(subject);
+    if (status != BL_OK)
+        return status;
+    status = draw(run, made, trade, &all, message);
+    if (status == BL_OK)
+        made->claim(run, &all);
+    bl_trade_close(trade, &all);
+    return status;
+}
+
+static bl_status run_figure(bl_run *run, bl_message *message) {
+    bl_status status = BL_OK;
+    for (size_t i = 0; i < sizeof choices / sizeof *choices && status == BL_OK; i++) {
+        bl_run_step(run, choices[i].trade);
+        status = run_choice(run, &choices[i], message);
+    }
+    return status;
+}
+
+BL_FIGURE_DESCRIPTOR(cost_error) = {
+    .name = "cost-against-error",
+    .title = "Cost against error of four choices",
+    .question = "What does each alternative cost, and what does it get wrong?",
+    .paper = "bandlimit, after peachey2003, pp. 38-39, 64-66 and 78-80",
+    .shows =
+        "Every alternative of a choice as a point: the time of a sample, measured by turns "
+        "with the others, against its error; both axes are logarithmic, and what has no error "
+        "is not drawn. The dashed line joins the front: nothing else is both cheaper and "
+        "better, as far as the intervals tell.",
+    .run = run_figure};
