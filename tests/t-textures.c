@@ -417,6 +417,27 @@ static void test_the_plate_under_a_gaussian(void **state) {
     bl_signal_free(signal);
 }
 
+// The same over a box, by the midpoint rule, whose error is below (pi f w / n)^2 / 6 for the
+// fastest wave in the box, f w <= 70 * 0.2.
+static void test_the_plate_over_a_box(void **state) {
+    (void)state;
+    enum { STEPS = 20000 };
+    bl_signal *signal = open_signal("zoneplate:filter=exact");
+    for (int i = 0; i < 24; i++) {
+        double place[2] = {0.04 * i - 0.3, 0.25 - 0.02 * i}, width = 0.004 + 0.0015 * i * i / 4;
+        double cosine[2] = {0}, sine[2] = {0};
+        for (int a = 0; a < 2; a++)
+            for (int k = 0; k < STEPS; k++) {
+                double x = place[a] + width * ((k + 0.5) / STEPS - 0.5);
+                cosine[a] += cos(M_PI * 100 * x * x) / STEPS;
+                sine[a] += sin(M_PI * 100 * x * x) / STEPS;
+            }
+        double expected = cosine[0] * cosine[1] - sine[0] * sine[1];
+        assert_near(seen(signal, place[0], place[1], width, width), 0.5 + 0.5 * expected, 2e-6);
+    }
+    bl_signal_free(signal);
+}
+
 static void test_the_mean_of_a_spline_is_its_integral(void **state) {
     static const bl_colour knots[] = {{{0.3, 0, 1}}, {{0.1, 0.9, 0}}, {{0.8, 0.2, 0.5}},
                                       {{0, 0.4, 1}}, {{1, 1, 0}},     {{0.2, 0.6, 0.3}}};
@@ -675,8 +696,8 @@ static void test_clouds_fade_as_their_noise_does(void **state) {
         }
 }
 
-// With slopes of 0.003 at most, light is linear in them but for the square of that; brick and mortar
-// have the same red.
+// With slopes of 0.003 at most, light is linear in them but for the square of that; brick and
+// mortar have the same red.
 static void test_averaged_slopes_are_the_average_of_faint_bumps(void **state) {
     (void)state;
     bl_signal *raw = open_signal("bumpbrick:depth=1e-5,component=red");
@@ -694,6 +715,17 @@ static void test_averaged_slopes_are_the_average_of_faint_bumps(void **state) {
     assert_true(most > 1e-4); // the bumps are seen
     bl_signal_free(raw);
     bl_signal_free(slope);
+}
+
+// The light comes from the upper left: of the slopes up to a brick, the left and the upper one are
+// lighter than the flat wall, or lose less, than those that face away.
+static void test_grooves_are_lit_from_the_upper_left(void **state) {
+    (void)state;
+    bl_signal *bump = open_signal("bumpbrick:component=red");
+    double left = seen(bump, 0.0025, 0.045, 0, 0), right = seen(bump, 0.2575, 0.045, 0, 0);
+    double lower = seen(bump, 0.13, 0.0025, 0, 0), upper = seen(bump, 0.13, 0.0875, 0, 0);
+    assert_true(left > right + 0.05 && upper > lower + 0.05);
+    bl_signal_free(bump);
 }
 
 static void test_rings_are_averaged_along_the_radius(void **state) {
@@ -824,6 +856,7 @@ int main(void) {
         cmocka_unit_test(test_exact_filters_are_averages_over_the_box),
         cmocka_unit_test(test_exact_filters_add_up),
         cmocka_unit_test(test_the_plate_under_a_gaussian),
+        cmocka_unit_test(test_the_plate_over_a_box),
         cmocka_unit_test(test_the_mean_of_a_spline_is_its_integral),
         cmocka_unit_test(test_the_integral_across_rows_is_off_by_half_a_wall),
         cmocka_unit_test(test_boxstep_misses_the_brick_next_door),
@@ -833,6 +866,7 @@ int main(void) {
         cmocka_unit_test(test_the_ramp_of_a_star_is_as_wide_as_the_sample),
         cmocka_unit_test(test_clouds_fade_as_their_noise_does),
         cmocka_unit_test(test_averaged_slopes_are_the_average_of_faint_bumps),
+        cmocka_unit_test(test_grooves_are_lit_from_the_upper_left),
         cmocka_unit_test(test_rings_are_averaged_along_the_radius),
         cmocka_unit_test(test_the_sky_is_averaged_over_altitudes),
         cmocka_unit_test(test_marble_keeps_its_mean_by_its_map),
