@@ -60,7 +60,8 @@ const char *const *bl_signal_choices(const bl_signal *signal, const char *key);
 bl_status bl_signal_with_choice(const bl_signal *signal, const char *key, const char *word,
                                 bl_signal **copy, bl_message *message);
 
-// The width of a sample that the signal's own key `width` sets for its values; 0 without such a key.
+// The width of a sample that the signal's own key `width` sets for its values; 0 without such a
+// key.
 double bl_signal_own_width(const bl_signal *signal);
 
 #endif

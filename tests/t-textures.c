@@ -417,6 +417,27 @@ static void test_the_plate_under_a_gaussian(void **state) {
     bl_signal_free(signal);
 }
 
+// The same over a box, by the midpoint rule, whose error is below (pi f w / n)^2 / 6 for the
+// fastest wave in the box, f w <= 70 * 0.2.
+static void test_the_plate_over_a_box(void **state) {
+    (void)state;
+    enum { STEPS = 20000 };
+    bl_signal *signal = open_signal("zoneplate:filter=exact");
+    for (int i = 0; i < 24; i++) {
+        double place[2] = {0.04 * i - 0.3, 0.25 - 0.02 * i}, width = 0.004 + 0.0015 * i * i / 4;
+        double cosine[2] = {0}, sine[2] = {0};
+        for (int a = 0; a < 2; a++)
+            for (int k = 0; k < STEPS; k++) {
+                double x = place[a] + width * ((k + 0.5) / STEPS - 0.5);
+                cosine[a] += cos(M_PI * 100 * x * x) / STEPS;
+                sine[a] += sin(M_PI * 100 * x * x) / STEPS;
+            }
+        double expected = cosine[0] * cosine[1] - sine[0] * sine[1];
+        assert_near(seen(signal, place[0], place[1], width, width), 0.5 + 0.5 * expected, 2e-6);
+    }
+    bl_signal_free(signal);
+}
+
 static void test_the_mean_of_a_spline_is_its_integral(void **state) {
     static const bl_colour knots[] = {{{0.3, 0, 1}}, {{0.1, 0.9, 0}}, {{0.8, 0.2, 0.5}},
                                       {{0, 0.4, 1}}, {{1, 1, 0}},     {{0.2, 0.6, 0.3}}};
@@ -614,9 +635,138 @@ static void test_marble_keeps_its_mean_by_its_map(void **state) {
     // The sum of octaves is not quite normal; the map's slope times that is some thousandths.
     assert_near(by_map, mean, 5 * error + 4e-3);
     assert_true(fabs(by_fade - mean) > 3 * fabs(by_map - mean));
+    // And on the way there, where the first octave is half gone: what is lost is averaged over, so
+    // that the distribution of all of it stays.
+    bl_signal *half = open_signal("marble:component=blue,filter=map,width=0.15");
+    double half_error, half_mean = sampled_mean(half, 200, 200, &half_error);
+    print_message("  half way %.5f +- %.5f\n", half_mean, half_error);
+    assert_near(half_mean, mean, 5 * (error + half_error) + 2e-3);
+    bl_signal_free(half);
     bl_signal_free(raw);
     bl_signal_free(map);
     bl_signal_free(fade);
+}
+
+// Near the middle of an edge, and with a sample that meets no other, the ramp is as wide as the box
+// is across the edge: it is 0 or 1 where the box lies on one side, and nowhere else.
+static void test_the_ramp_of_a_star_is_as_wide_as_the_sample(void **state) {
+    (void)state;
+    bl_signal *ramp = open_signal("star:filter=boxstep,component=red");
+    bl_signal *exact = open_signal("star:filter=exact,component=red");
+    bl_random random = bl_random_seed(9, 0);
+    double field = seen(exact, 9, 9, 0.01, 0.01);
+    int between = 0, outside = 0;
+    for (int i = 0; i < 2000; i++) {
+        int k = (int)(10 * bl_random_unit(&random));
+        double tip = M_PI * (k / 2 * 2 + (k % 2 ? 0 : 2)) / 5, notch = M_PI * (k / 2 * 2 + 1) / 5;
+        double s = -0.5 * (0.2 * sin(tip) + 0.07 * sin(notch));
+        double t = -0.5 * (0.2 * cos(tip) + 0.07 * cos(notch));
+        double width_s = 0.001 + 0.02 * bl_random_unit(&random);
+        double width_t = 0.001 + 0.02 * bl_random_unit(&random);
+        s += 0.5 + 0.03 * (bl_random_unit(&random) - 0.5);
+        t += 0.5 + 0.03 * (bl_random_unit(&random) - 0.5);
+        double a = (seen(ramp, s, t, width_s, width_t) - field) / (1 - field);
+        double b = (seen(exact, s, t, width_s, width_t) - field) / (1 - field);
+        between += b > 1e-9 && b < 1 - 1e-9;
+        outside += b <= 1e-9;
+        // The area over a corner of the box is up to 1/8 from the ramp, for a square and its
+        // diagonal.
+        assert_near(a, b, 0.125 + 1e-9);
+        if (b < 1e-12 || b > 1 - 1e-12)
+            assert_near(a, b, 1e-9);
+    }
+    assert_true(between > 300 && outside > 300);
+    bl_signal_free(ramp);
+    bl_signal_free(exact);
+}
+
+// --- filters of octaves, slopes and rings -------------------------------------------------------
+
+// The noise has a width of its own, and the loop over terms that the texture does without.
+static void test_clouds_fade_as_their_noise_does(void **state) {
+    static const char *const clamps[][2] = {{"clamp", "hard"}, {"fade", "fade"}};
+    (void)state;
+    for (int c = 0; c < 2; c++)
+        for (int i = 0; i < 12; i++) {
+            char text[128];
+            double width = 0.5 * pow(1.5, i);
+            snprintf(text, sizeof text, "gardner:width=%.17g,clamp=%s", width, clamps[c][1]);
+            bl_signal *noise = open_signal(text);
+            bl_signal *sky = open_with("cloudplane", "component=red,filter", clamps[c][0]);
+            for (int k = 0; k < 20; k++) {
+                double x = 7.3 * k, y = 90 - 11.7 * k, value = noise_at(noise, x, y);
+                // A sum that has lost all its terms is rounded to float.
+                assert_near(seen(sky, x, y, width, width), 0.16 + 0.84 * fmax(value, 0), 5e-9);
+            }
+            bl_signal_free(noise);
+            bl_signal_free(sky);
+        }
+}
+
+// With slopes of 0.003 at most, light is linear in them but for the square of that; brick and
+// mortar have the same red.
+static void test_averaged_slopes_are_the_average_of_faint_bumps(void **state) {
+    (void)state;
+    bl_signal *raw = open_signal("bumpbrick:depth=1e-5,component=red");
+    bl_signal *slope = open_signal("bumpbrick:depth=1e-5,component=red,filter=slope");
+    bl_random random = bl_random_seed(10, 0);
+    double most = 0;
+    for (int i = 0; i < 30; i++) {
+        const double at[BL_AXES] = {0.26 * bl_random_unit(&random), 0.006};
+        const double width[BL_AXES] = {0.02 * bl_random_unit(&random), 0.011 - 0.002 * (i % 5)};
+        double flat = bl_signal_value(raw, (const double[BL_AXES]){0.13, 0.045});
+        double average = brute_force(raw, at, width, 200);
+        assert_near(bl_signal_filtered(slope, at, width), average, 0.003 * 0.003);
+        most = fmax(most, fabs(average - flat));
+    }
+    assert_true(most > 1e-4); // the bumps are seen
+    bl_signal_free(raw);
+    bl_signal_free(slope);
+}
+
+// The light comes from the upper left: of the slopes up to a brick, the left and the upper one are
+// lighter than the flat wall, or lose less, than those that face away.
+static void test_grooves_are_lit_from_the_upper_left(void **state) {
+    (void)state;
+    bl_signal *bump = open_signal("bumpbrick:component=red");
+    double left = seen(bump, 0.0025, 0.045, 0, 0), right = seen(bump, 0.2575, 0.045, 0, 0);
+    double lower = seen(bump, 0.13, 0.0025, 0, 0), upper = seen(bump, 0.13, 0.0875, 0, 0);
+    assert_true(left > right + 0.05 && upper > lower + 0.05);
+    bl_signal_free(bump);
+}
+
+static void test_rings_are_averaged_along_the_radius(void **state) {
+    (void)state;
+    bl_signal *raw = open_signal("wood:wobble=0,fibre=0");
+    bl_signal *integral = open_signal("wood:wobble=0,fibre=0,filter=integral");
+    for (int i = 0; i < 40; i++) {
+        const double at[BL_AXES] = {3 + 0.031 * i}, width[BL_AXES] = {0.008 * (i % 9 + 1)};
+        // A midpoint rule of a C1 function: its second derivative is below 1e4, the error below
+        // 1e4 width^2 / 24 n^2.
+        assert_near(bl_signal_filtered(integral, at, width), brute_force(raw, at, width, 400),
+                    2e-5);
+    }
+    bl_signal_free(raw);
+    bl_signal_free(integral);
+}
+
+static void test_the_sky_is_averaged_over_altitudes(void **state) {
+    (void)state;
+    bl_signal *raw = open_signal("metallic"), *integral = open_signal("metallic:filter=integral");
+    for (int i = 0; i < 20; i++) {
+        enum { STEPS = 2000 };
+        double z = 0.25 + 0.02 * i, width = 0.02 * (i + 1), sum = 0;
+        for (int k = 0; k < STEPS; k++) {
+            double height = z + width * ((k + 0.5) / STEPS - 0.5);
+            sum +=
+                bl_signal_value(raw, (const double[BL_AXES]){sqrt(1 - height * height), 0, height});
+        }
+        assert_near(bl_signal_filtered(integral, (const double[BL_AXES]){0, sqrt(1 - z * z), z},
+                                       (const double[BL_AXES]){0, 0, width}),
+                    sum / STEPS, 1e-5);
+    }
+    bl_signal_free(raw);
+    bl_signal_free(integral);
 }
 
 // --- pictures of files --------------------------------------------------------------------------
@@ -713,12 +863,19 @@ int main(void) {
         cmocka_unit_test(test_exact_filters_are_averages_over_the_box),
         cmocka_unit_test(test_exact_filters_add_up),
         cmocka_unit_test(test_the_plate_under_a_gaussian),
+        cmocka_unit_test(test_the_plate_over_a_box),
         cmocka_unit_test(test_the_mean_of_a_spline_is_its_integral),
         cmocka_unit_test(test_the_integral_across_rows_is_off_by_half_a_wall),
         cmocka_unit_test(test_boxstep_misses_the_brick_next_door),
         cmocka_unit_test(test_the_printed_star_is_too_fat),
         cmocka_unit_test(test_the_boxes_of_a_star_add_up_to_its_area),
         cmocka_unit_test(test_the_printed_wallpaper_cuts_stars),
+        cmocka_unit_test(test_the_ramp_of_a_star_is_as_wide_as_the_sample),
+        cmocka_unit_test(test_clouds_fade_as_their_noise_does),
+        cmocka_unit_test(test_averaged_slopes_are_the_average_of_faint_bumps),
+        cmocka_unit_test(test_grooves_are_lit_from_the_upper_left),
+        cmocka_unit_test(test_rings_are_averaged_along_the_radius),
+        cmocka_unit_test(test_the_sky_is_averaged_over_altitudes),
         cmocka_unit_test(test_marble_keeps_its_mean_by_its_map),
         cmocka_unit_test(test_a_picture_shows_its_ramp),
         cmocka_unit_test(test_a_picture_that_is_not_there),

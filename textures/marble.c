@@ -69,12 +69,13 @@ static const bl_colour knots[] = {PALE, PALE, MEDIUM, MEDIUM, MEDIUM, PALE,  PAL
                                   DARK, DARK, DARKER, DARKER, PALE,   DARKER};
 static const bl_colour_spline map = {knots, sizeof knots / sizeof *knots};
 
-// The variance of what the octaves have lost at this width.
+// The variance that the octaves have lost at this width: an average that is `kept` times as strong
+// has kept^2 of the variance, and the rest is within what it is the average of.
 static double lost_variance(const marble_parameters *p, double width) {
     double lost = 0, frequency = 1;
     for (int i = 0; i < OCTAVES; i++) {
-        double gone = 1 - bl_octave_kept(frequency * p->top, BL_CLAMP_FADE, width);
-        lost += p->variance * gone * gone / (frequency * frequency);
+        double kept = bl_octave_kept(frequency * p->top, BL_CLAMP_FADE, width);
+        lost += p->variance * (1 - kept * kept) / (frequency * frequency);
         frequency *= LACUNARITY;
     }
     return lost;

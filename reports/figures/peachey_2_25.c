@@ -86,7 +86,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                                .pixels = 48,
                                .filtered = 1}};
     const bl_pictures pictures = {
-        .name = "bumps",
+        .name = "grooves",
         .title = "What does a bent normal add to bricks?",
         .alternative =
             "Bricks with mortar in grooves that are light on one side and dark on the "
