@@ -6,7 +6,7 @@
 // averaged over random places and fresh seeds. Of each: the share of the variance above 1 cycle per
 // unit and from 0.3 to 0.7, the leak in dB of the variance outside of the band that is judged, and
 // the effective edges of the band: the lowest and the highest frequency whose density, smoothed
-// over 0.1 cycles per unit, is within 3 dB and within 30 dB of its peak.
+// over 0.1 cycles per unit, is within 3 dB and within 30 dB of its peak (score/band_edges.h).
 //
 // Judged is the leak along x, outside of the band and a guard of half the window's main lobe, by
 // one-sided limits at the property's share of alpha. A leak that is stated fails where the lower
@@ -21,12 +21,12 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "score/band_edges.h"
 #include "score/places.h"
 #include "score/sampling.h"
 #include "spectra/psd.h"
 
 static const double CLAIM_MARGIN_DB = 1;
-static const double SMOOTHING = 0.05; // cycles per unit each way
 // Of a line, in units. Its guard is then 4/128, which hides little of a density that falls steeply
 // at the edge; and the lines are short, because all of a line shares its place in the cell, so that
 // only fresh lines tell more.
@@ -94,33 +94,20 @@ static bl_psd_settings settings_for(const bl_signal *signal, const bl_score_sett
 
 // --- numbers ---
 
-// The density around a bin; frequency 0, from which the mean was taken, is left out.
-static double smooth_density(const bl_psd *psd, size_t bin) {
-    size_t reach = (size_t)(SMOOTHING / psd->width[0] + 0.5), count = 0;
-    double sum = 0;
-    for (size_t i = bin > reach ? bin - reach : 1; i <= bin + reach && i < psd->count; i++, count++)
-        sum += psd->psd[i];
-    return count ? sum / (double)count : 0;
-}
-
-static void add_edges(bl_score_property *result, const direction *names, const bl_psd *psd) {
-    double peak = 0;
-    for (size_t i = 1; i < psd->count; i++)
-        peak = fmax(peak, smooth_density(psd, i));
-    for (int d = 0; d < 2; d++) {
-        double least = peak * pow(10, d ? -3 : -0.3), low = NAN, high = NAN;
-        for (size_t i = 1; i < psd->count; i++)
-            if (smooth_density(psd, i) >= least) {
-                low = isnan(low) ? psd->frequency[i] : low;
-                high = psd->frequency[i];
-            }
-        bl_score_add_seen(result, names->edges[2 * d], low);
-        bl_score_add_seen(result, names->edges[2 * d + 1], high);
+static bl_status add_edges(bl_score_property *result, const direction *names, const bl_psd *psd,
+                           double level, bl_message *message) {
+    static const double below_db[] = {3, 30};
+    bl_band_edges edges[2];
+    bl_status status = bl_find_band_edges(psd, below_db, 2, level, edges, message);
+    for (int d = 0; status == BL_OK && d < 2; d++) {
+        bl_score_add(result, names->edges[2 * d], edges[d].low);
+        bl_score_add(result, names->edges[2 * d + 1], edges[d].high);
     }
+    return status;
 }
 
-static void add_numbers(bl_score_property *result, const direction *names, bl_psd *psd,
-                        bl_band_limit limit, double level) {
+static bl_status add_numbers(bl_score_property *result, const direction *names, bl_psd *psd,
+                             bl_band_limit limit, double level, bl_message *message) {
     bl_band above = {.from = 1, .to = INFINITY}, middle = {.from = 0.3, .to = 0.7};
     psd->settings.level = level;
     if (above.from < 0.5 * psd->settings.rate) {
@@ -139,7 +126,7 @@ static void add_numbers(bl_score_property *result, const direction *names, bl_ps
                      (bl_estimate){limit.leak_db, limit.lower_db, limit.upper_db, level,
                                    (double)psd->settings.averages});
     }
-    add_edges(result, names, psd);
+    return add_edges(result, names, psd, level, message);
 }
 
 // --- the verdict ---
@@ -251,10 +238,12 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
             continue;
         bl_band_limit limit = {.from = claim.from, .to = claim.to, .limit_db = claim.leak_db};
         if (psd.variance.value > 0)
-            add_numbers(result, &directions[which], &psd, limit, settings->level);
+            status = add_numbers(result, &directions[which], &psd, limit, settings->level, message);
         if (which == ALONG_X)
             judge(result, &psd, &claim, settings->alpha);
         bl_psd_free(&psd);
+        if (status == BL_DEVICE)
+            return status;
     }
     return BL_OK;
 }
