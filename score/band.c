@@ -9,15 +9,16 @@
 // over 0.1 cycles per unit, is within 3 dB and within 30 dB of its peak (score/band_edges.h).
 //
 // Judged is the leak along x, outside of the band and a guard of half the window's main lobe, by
-// one-sided limits at the property's share of alpha. A leak that is stated fails where the lower
-// limit lies above it. It is a number, not a budget: one that is exactly right lies between the
-// limits however many averages there are, so it passes where the upper limit is less than 1 dB
-// above it, and is inconclusive else. A band that is stated is always the one that is judged. Of
-// one without a number the leak has a budget, which pass needs the upper limit to keep: -30 dB
-// where none is stated; where it states no leak at all, or less than arithmetic can show, -80 dB,
-// the floor: a line at the very edge of the band leaves 10^-9 of its power in the side lobes of the
-// window, and float rows round at 10^-11 of the variance or less. Without a band the ideal asks for
-// at most -30 dB above 1 cycle per unit, as a budget too.
+// one-sided limits at the property's share of alpha. Where they settle nothing a second look takes
+// more averages; each of the two looks has half of that share. A leak that is stated fails where
+// the lower limit lies above it. It is a number, not a budget: one that is exactly right lies
+// between the limits however many averages there are, so it passes where the upper limit is less
+// than 1 dB above it, and is inconclusive else. A band that is stated is always the one that is
+// judged. Of one without a number the leak has a budget, which pass needs the upper limit to keep:
+// -30 dB where none is stated; where it states no leak at all, or less than arithmetic can show,
+// -80 dB, the floor: a line at the very edge of the band leaves 10^-9 of its power in the side
+// lobes of the window, and float rows round at 10^-11 of the variance or less. Without a band the
+// ideal asks for at most -30 dB above 1 cycle per unit, as a budget too.
 #include <math.h>
 #include <stdio.h>
 
@@ -162,6 +163,38 @@ static band_claim claim_of(const bl_signal *signal) {
     return claim;
 }
 
+// How many averages a second look takes, or 0 where the first one settles the verdict. Each look
+// has half of alpha, so that both together fail a correct signal no more often than alpha says.
+static size_t averages_of_second_look(const bl_psd *psd, const band_claim *claim,
+                                      const bl_score_settings *settings) {
+    double passes = claim->leak_db + claim->margin_db;
+    bl_band_limit limit = {.from = claim->from, .to = claim->to, .limit_db = passes};
+    limit.guard = bl_psd_guard(psd);
+    limit.missed = 0.5 * settings->alpha;
+    if (!(psd->variance.value > 0) || !bl_psd_has_outside(psd, &limit))
+        return 0;
+    bl_psd_band_limit(psd, &limit);
+    if (limit.upper_db <= passes || limit.lower_db > claim->leak_db)
+        return 0;
+    size_t averages = psd->settings.averages;
+    size_t most = averages * (size_t)bl_score_pick(settings, 16, 4, 4);
+    size_t needed = limit.needed_averages < most ? 2 * limit.needed_averages : most;
+    needed = needed > 4 * averages ? needed : 4 * averages;
+    return needed < most ? needed : most;
+}
+
+// Replaces the spectrum of a first look by that of a second one where the first settles nothing. A
+// grid has no more to show.
+static bl_status look_again(const bl_signal *signal, const band_claim *claim,
+                            const bl_score_settings *settings, bl_psd *psd, bl_message *message) {
+    bl_psd_settings wanted = psd->settings;
+    wanted.averages = bl_score_on_grid(signal) ? 0 : averages_of_second_look(psd, claim, settings);
+    if (!wanted.averages)
+        return BL_OK;
+    bl_psd_free(psd);
+    return bl_psd_measure(signal, &wanted, psd, message);
+}
+
 static void judge_leak(bl_score_property *result, const bl_psd *psd, const band_claim *claim,
                        bl_band_limit *limit) {
     double passes = claim->leak_db + claim->margin_db;
@@ -228,6 +261,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
             continue;
         bl_psd_settings wanted = settings_for(signal, settings, which, claim.to);
         bl_status status = bl_psd_measure(signal, &wanted, &psd, &own);
+        if (status == BL_OK && which == ALONG_X)
+            status = look_again(signal, &claim, settings, &psd, &own);
         if (status == BL_DEVICE)
             return bl_report(message, status, "%s", own.text);
         if (status != BL_OK && which == ALONG_X) {
@@ -240,7 +275,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         if (psd.variance.value > 0)
             status = add_numbers(result, &directions[which], &psd, limit, settings->level, message);
         if (which == ALONG_X)
-            judge(result, &psd, &claim, settings->alpha);
+            judge(result, &psd, &claim, 0.5 * settings->alpha);
         bl_psd_free(&psd);
         if (status == BL_DEVICE)
             return status;

@@ -65,7 +65,7 @@ static void count(const bl_estimate *found, double truth, double bin, tally *t) 
 
 static tally cover(const bl_signal *signal, unsigned dims, size_t averages, int distance) {
     tally t = {0};
-    size_t repeats = bl_test_scaled(200, 20);
+    size_t repeats = bl_test_scaled(40, 10);
     bl_message message = {""};
     for (size_t r = 0; r < repeats; r++) {
         bl_psd psd = measure(signal, dims, averages, 1 + r);
@@ -83,24 +83,89 @@ static tally cover(const bl_signal *signal, unsigned dims, size_t averages, int 
     return t;
 }
 
+// An interval ends on bins, where the limits of bins on both sides are taken, so that it holds the
+// edge more often than each limit does: at most 5 % are missed. Both distances are of one spectrum
+// a trial, whence half of the trials count. The widths show that intervals are not vague instead: a
+// hundredth of the power at the edge is within some bins, half of it within a quarter cycle.
 static void test_intervals_of_edges_hold_those_of_the_closed_forms(void **state) {
     (void)state;
     static const char *const texts[] = {"gnoise", "vnoise", "vgnoise", "vcnoise", "scnoise"};
+    static const double widest[DISTANCES] = {16, 8};
+    double missed = 0, trials = 0;
     for (size_t n = 0; n < sizeof texts / sizeof *texts; n++) {
         bl_signal *signal = bl_test_open(texts[n], BL_ISA_BEST);
         for (unsigned dims = 1; dims <= 2; dims++)
             for (int d = 0; d < DISTANCES; d++) {
                 tally t = cover(signal, dims, dims == 1 ? 64 : 8, d);
-                printf("# %s %u %g dB: %.0f of %.0f missed, width %.1f bins\n", texts[n], dims,
-                       below_db[d], t.missed, t.trials, t.width / t.trials);
+                double limit = 0.05 + 3.9 * sqrt(0.05 * 0.95 / t.trials);
+                if (t.missed > limit * t.trials || t.width > widest[d] * t.trials)
+                    fail_msg("%s in %u dimensions, %g dB: %g of %g missed, %g bins wide", texts[n],
+                             dims, below_db[d], t.missed, t.trials, t.width / t.trials);
+                missed += t.missed;
+                trials += t.trials;
             }
         bl_signal_free(signal);
     }
+    assert_less(missed / trials, 0.05 + 3.9 * sqrt(0.05 * 0.95 / (0.5 * trials)));
+}
+
+// sinc^4 falls to half of its peak at the f whose sinc is 10^-0.075, and for good below a
+// thousandth between the first zero and the first side lobe, which is 26.5 dB down and counts.
+static void test_edges_of_a_hat_are_those_of_its_transform(void **state) {
+    (void)state;
+    bl_signal *hat = bl_test_hat(1);
+    bl_psd psd = measure(hat, 1, 4096, 1);
+    bl_band_edges edges[DISTANCES];
+    double low = 0.1, high = 0.9;
+    assert_int_equal(bl_find_band_edges(&psd, below_db, DISTANCES, 0.95, edges, NULL), BL_OK);
+    for (int i = 0; i < 60; i++) {
+        double f = 0.5 * (low + high), sinc = sin(M_PI * f) / (M_PI * f);
+        *(pow(sinc, 4) > pow(10, -0.3) ? &low : &high) = f;
+    }
+    assert_near(edges[0].high.value, low, 0.05); // the smoothing
+    assert_true(edges[1].high.value > 1.3 && edges[1].high.value < 2);
+    assert_true(edges[0].low.value < 0.05 && edges[1].low.value < 0.05);
+    bl_psd_free(&psd);
+    bl_signal_free(hat);
+}
+
+// Averages that count as a quarter of their number have limits twice as far from the ratios.
+static void test_averages_that_are_alike_widen_the_intervals(void **state) {
+    (void)state;
+    bl_signal *hat = bl_test_hat(1);
+    bl_psd psd = measure(hat, 1, 64, 1);
+    bl_band_edges apart[DISTANCES], alike[DISTANCES];
+    assert_near(psd.correlation, 1, 0);
+    assert_int_equal(bl_find_band_edges(&psd, below_db, 2, 0.95, apart, NULL), BL_OK);
+    psd.correlation = 4;
+    assert_int_equal(bl_find_band_edges(&psd, below_db, 2, 0.95, alike, NULL), BL_OK);
+    for (int d = 0; d < DISTANCES; d++) {
+        assert_true(alike[d].high.value == apart[d].high.value);
+        assert_true(alike[d].high.lower < apart[d].high.lower);
+        assert_true(alike[d].high.upper > apart[d].high.upper);
+    }
+    bl_psd_free(&psd);
+    bl_signal_free(hat);
+}
+
+// The spread of one average over others is unknown.
+static void test_one_average_has_edges_without_an_interval(void **state) {
+    (void)state;
+    bl_signal *hat = bl_test_hat(1);
+    bl_psd psd = measure(hat, 1, 1, 1);
+    bl_band_edges edges[DISTANCES];
+    assert_int_equal(bl_find_band_edges(&psd, below_db, DISTANCES, 0.95, edges, NULL), BL_OK);
+    assert_true(edges[0].high.level == 0 && edges[0].high.value > 0);
+    bl_psd_free(&psd);
+    bl_signal_free(hat);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_intervals_of_edges_hold_those_of_the_closed_forms),
+        cmocka_unit_test(test_edges_of_a_hat_are_those_of_its_transform),
+        cmocka_unit_test(test_averages_that_are_alike_widen_the_intervals),
+        cmocka_unit_test(test_one_average_has_edges_without_an_interval),
     };
     return bl_run_tests(tests);
 }

@@ -384,7 +384,7 @@ static void test_the_ideal_range_ends_at_one(void **state) {
     }
 }
 
-// White noise of variance 8 for one seed in eight and 0 for the others: 64 blocks tell too little
+// White noise of variance 8 for one seed in eight and 0 for the others: 256 blocks tell too little
 // to agree with any number, even the right one.
 typedef struct rare {
     uint64_t seed;
