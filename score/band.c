@@ -6,27 +6,28 @@
 // averaged over random places and fresh seeds. Of each: the share of the variance above 1 cycle per
 // unit and from 0.3 to 0.7, the leak in dB of the variance outside of the band that is judged, and
 // the effective edges of the band: the lowest and the highest frequency whose density, smoothed
-// over 0.1 cycles per unit, is within 3 dB and within 30 dB of its peak.
+// over 0.1 cycles per unit, is within 3 dB and within 30 dB of its peak (score/band_edges.h).
 //
 // Judged is the leak along x, outside of the band and a guard of half the window's main lobe, by
-// one-sided limits at the property's share of alpha. A leak that is stated fails where the lower
-// limit lies above it. It is a number, not a budget: one that is exactly right lies between the
-// limits however many averages there are, so it passes where the upper limit is less than 1 dB
-// above it, and is inconclusive else. A band that is stated is always the one that is judged. Of
-// one without a number the leak has a budget, which pass needs the upper limit to keep: -30 dB
-// where none is stated; where it states no leak at all, or less than arithmetic can show, -80 dB,
-// the floor: a line at the very edge of the band leaves 10^-9 of its power in the side lobes of the
-// window, and float rows round at 10^-11 of the variance or less. Without a band the ideal asks for
-// at most -30 dB above 1 cycle per unit, as a budget too.
+// one-sided limits at the property's share of alpha. Where they settle nothing a second look takes
+// more averages; each of the two looks has half of that share. A leak that is stated fails where
+// the lower limit lies above it. It is a number, not a budget: one that is exactly right lies
+// between the limits however many averages there are, so it passes where the upper limit is less
+// than 1 dB above it, and is inconclusive else. A band that is stated is always the one that is
+// judged. Of one without a number the leak has a budget, which pass needs the upper limit to keep:
+// -30 dB where none is stated; where it states no leak at all, or less than arithmetic can show,
+// -80 dB, the floor: a line at the very edge of the band leaves 10^-9 of its power in the side
+// lobes of the window, and float rows round at 10^-11 of the variance or less. Without a band the
+// ideal asks for at most -30 dB above 1 cycle per unit, as a budget too.
 #include <math.h>
 #include <stdio.h>
 
+#include "score/band_edges.h"
 #include "score/places.h"
 #include "score/sampling.h"
 #include "spectra/psd.h"
 
 static const double CLAIM_MARGIN_DB = 1;
-static const double SMOOTHING = 0.05; // cycles per unit each way
 // Of a line, in units. Its guard is then 4/128, which hides little of a density that falls steeply
 // at the edge; and the lines are short, because all of a line shares its place in the cell, so that
 // only fresh lines tell more.
@@ -94,33 +95,20 @@ static bl_psd_settings settings_for(const bl_signal *signal, const bl_score_sett
 
 // --- numbers ---
 
-// The density around a bin; frequency 0, from which the mean was taken, is left out.
-static double smooth_density(const bl_psd *psd, size_t bin) {
-    size_t reach = (size_t)(SMOOTHING / psd->width[0] + 0.5), count = 0;
-    double sum = 0;
-    for (size_t i = bin > reach ? bin - reach : 1; i <= bin + reach && i < psd->count; i++, count++)
-        sum += psd->psd[i];
-    return count ? sum / (double)count : 0;
-}
-
-static void add_edges(bl_score_property *result, const direction *names, const bl_psd *psd) {
-    double peak = 0;
-    for (size_t i = 1; i < psd->count; i++)
-        peak = fmax(peak, smooth_density(psd, i));
-    for (int d = 0; d < 2; d++) {
-        double least = peak * pow(10, d ? -3 : -0.3), low = NAN, high = NAN;
-        for (size_t i = 1; i < psd->count; i++)
-            if (smooth_density(psd, i) >= least) {
-                low = isnan(low) ? psd->frequency[i] : low;
-                high = psd->frequency[i];
-            }
-        bl_score_add_seen(result, names->edges[2 * d], low);
-        bl_score_add_seen(result, names->edges[2 * d + 1], high);
+static bl_status add_edges(bl_score_property *result, const direction *names, const bl_psd *psd,
+                           double level, bl_message *message) {
+    static const double below_db[] = {3, 30};
+    bl_band_edges edges[2];
+    bl_status status = bl_find_band_edges(psd, below_db, 2, level, edges, message);
+    for (int d = 0; status == BL_OK && d < 2; d++) {
+        bl_score_add(result, names->edges[2 * d], edges[d].low);
+        bl_score_add(result, names->edges[2 * d + 1], edges[d].high);
     }
+    return status;
 }
 
-static void add_numbers(bl_score_property *result, const direction *names, bl_psd *psd,
-                        bl_band_limit limit, double level) {
+static bl_status add_numbers(bl_score_property *result, const direction *names, bl_psd *psd,
+                             bl_band_limit limit, double level, bl_message *message) {
     bl_band above = {.from = 1, .to = INFINITY}, middle = {.from = 0.3, .to = 0.7};
     psd->settings.level = level;
     if (above.from < 0.5 * psd->settings.rate) {
@@ -139,7 +127,7 @@ static void add_numbers(bl_score_property *result, const direction *names, bl_ps
                      (bl_estimate){limit.leak_db, limit.lower_db, limit.upper_db, level,
                                    (double)psd->settings.averages});
     }
-    add_edges(result, names, psd);
+    return add_edges(result, names, psd, level, message);
 }
 
 // --- the verdict ---
@@ -173,6 +161,38 @@ static band_claim claim_of(const bl_signal *signal) {
                          : "the claim is less than the floor of window and arithmetic, which is";
     }
     return claim;
+}
+
+// How many averages a second look takes, or 0 where the first one settles the verdict. Each look
+// has half of alpha, so that both together fail a correct signal no more often than alpha says.
+static size_t averages_of_second_look(const bl_psd *psd, const band_claim *claim,
+                                      const bl_score_settings *settings) {
+    double passes = claim->leak_db + claim->margin_db;
+    bl_band_limit limit = {.from = claim->from, .to = claim->to, .limit_db = passes};
+    limit.guard = bl_psd_guard(psd);
+    limit.missed = 0.5 * settings->alpha;
+    if (!(psd->variance.value > 0) || !bl_psd_has_outside(psd, &limit))
+        return 0;
+    bl_psd_band_limit(psd, &limit);
+    if (limit.upper_db <= passes || limit.lower_db > claim->leak_db)
+        return 0;
+    size_t averages = psd->settings.averages;
+    size_t most = averages * (size_t)bl_score_pick(settings, 16, 4, 4);
+    size_t needed = limit.needed_averages < most ? 2 * limit.needed_averages : most;
+    needed = needed > 4 * averages ? needed : 4 * averages;
+    return needed < most ? needed : most;
+}
+
+// Replaces the spectrum of a first look by that of a second one where the first settles nothing. A
+// grid has no more to show.
+static bl_status look_again(const bl_signal *signal, const band_claim *claim,
+                            const bl_score_settings *settings, bl_psd *psd, bl_message *message) {
+    bl_psd_settings wanted = psd->settings;
+    wanted.averages = bl_score_on_grid(signal) ? 0 : averages_of_second_look(psd, claim, settings);
+    if (!wanted.averages)
+        return BL_OK;
+    bl_psd_free(psd);
+    return bl_psd_measure(signal, &wanted, psd, message);
 }
 
 static void judge_leak(bl_score_property *result, const bl_psd *psd, const band_claim *claim,
@@ -241,6 +261,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
             continue;
         bl_psd_settings wanted = settings_for(signal, settings, which, claim.to);
         bl_status status = bl_psd_measure(signal, &wanted, &psd, &own);
+        if (status == BL_OK && which == ALONG_X)
+            status = look_again(signal, &claim, settings, &psd, &own);
         if (status == BL_DEVICE)
             return bl_report(message, status, "%s", own.text);
         if (status != BL_OK && which == ALONG_X) {
@@ -251,10 +273,12 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
             continue;
         bl_band_limit limit = {.from = claim.from, .to = claim.to, .limit_db = claim.leak_db};
         if (psd.variance.value > 0)
-            add_numbers(result, &directions[which], &psd, limit, settings->level);
+            status = add_numbers(result, &directions[which], &psd, limit, settings->level, message);
         if (which == ALONG_X)
-            judge(result, &psd, &claim, settings->alpha);
+            judge(result, &psd, &claim, 0.5 * settings->alpha);
         bl_psd_free(&psd);
+        if (status == BL_DEVICE)
+            return status;
     }
     return BL_OK;
 }
