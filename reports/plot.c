@@ -161,6 +161,11 @@ static void put_series(FILE *out, const bl_series *series) {
         fprintf(out,
                 " with filledcurves linecolor rgb '%s' fillstyle transparent solid %.2f noborder",
                 inks[series->ink], BAND_OPACITY);
+    } else if (series->stroke == BL_STROKE_WORDS) {
+        fputs(":(stringcolumn(", out);
+        put_text(out, series->upper);
+        fprintf(out, ")) with labels left offset character 0.7, 0.4 textcolor rgb '%s'",
+                inks[series->ink]);
     } else if (series->stroke == BL_STROKE_POINTS) {
         fprintf(out, " with points pointtype 7 pointsize 0.45 linecolor rgb '%s'",
                 inks[series->ink]);

@@ -31,7 +31,8 @@ typedef enum bl_stroke {
     BL_STROKE_THIN, // a thinner line, for what is drawn over another: a closed form
     BL_STROKE_DASHED,
     BL_STROKE_BAND, // filled between y and upper
-    BL_STROKE_POINTS
+    BL_STROKE_POINTS,
+    BL_STROKE_WORDS // the words of the column `upper`, to the right of each point
 } bl_stroke;
 
 // Something drawn from the columns of a CSV file in the folder of the plot.
@@ -40,7 +41,7 @@ typedef struct bl_series {
     bl_ink ink;
     const char *file;  // "spectra.csv"
     const char *x, *y; // names of columns
-    const char *upper; // of a band; else NULL
+    const char *upper; // of a band, or of words; else NULL
     const char *label; // in the legend of the plot (see bl_plot_legend); NULL: not in it
     size_t skip;       // rows at the head of the file that are not drawn
 } bl_series;
