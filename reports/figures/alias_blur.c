@@ -1,0 +1,389 @@
+// SPDX-License-Identifier: MIT
+//
+// alias-blur: what filters leave of the alias and what they cost in blur, on three textures.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "aliasing/alias.h"
+#include "aliasing/energy.h"
+#include "reports/figures/estimates.h"
+#include "reports/source.h"
+#include "textures/texture.h"
+
+enum { OWN, POINT, REGULAR, RANDOM, KINDS };
+enum { METHODS_MOST = 12, DRAWN = 3, SINE = 3, SUBJECTS = 4, SHOWN = 4 };
+static const char *const kind_names[] = {"alias_own", "alias_point", "alias_regular",
+                                         "alias_random"};
+static const char *const kind_labels[] = {"the texture's own filters", "point sampling",
+                                          "regular supersamples", "random supersamples"};
+static const bl_ink kind_inks[] = {BL_INK_MEASURED, BL_INK_THEORY, BL_INK_SECOND, BL_INK_THIRD};
+
+typedef struct way {
+    const char *method, *word; // as it is opened, and as it is drawn
+    int kind;
+} way;
+
+// What all textures are sampled by; the filters of their own stand before these.
+#define COMMON                                                                                     \
+    {"point", "point", POINT}, {"supersample:n=4", "4 x 4", REGULAR}, {                            \
+        "supersample:n=4,pattern=jitter", "4 x 4 jittered", RANDOM                                 \
+    }
+#define MORE                                                                                       \
+    {"supersample:n=2", "2 x 2", REGULAR}, {"supersample:n=4,pattern=sobol", "Sobol", RANDOM},     \
+        {"supersample:n=2,pixel=gaussian", "2 x 2 Gaussian", REGULAR}, {                           \
+        "supersample:n=2,pixel=mitchell", "2 x 2 Mitchell", REGULAR                                \
+    }
+
+typedef struct subject {
+    const char *key, *title;
+    const char *text; // NULL: depends on the size of the image
+    way ways[METHODS_MOST];
+    const char *shown[SHOWN]; // of the pictures; NULL: none
+} subject;
+
+static const subject subjects[SUBJECTS] = {
+    {"brick",
+     "brick, turned by 20 degrees, mortar a third of a pixel thick",
+     "brick",
+     {{"boxstep", "boxstep", OWN},
+      {"smoothstep", "smoothstep", OWN},
+      {"integral", "integral", OWN},
+      {"exact", "exact box", OWN},
+      COMMON,
+      MORE},
+     {"point", "supersample:n=4", "supersample:n=4,pattern=jitter", "exact"}},
+    {"zone-plate",
+     "zone plate, up to 2 cycles per pixel",
+     NULL,
+     {{"fade", "fade", OWN}, {"gaussian", "Gaussian", OWN}, {"exact", "exact box", OWN}, COMMON},
+     {"point", "supersample:n=4", "supersample:n=4,pattern=jitter", "exact"}},
+    {"turbulence",
+     "turbulence, octaves of 1/8 to 1 cycle per pixel",
+     "turbulence:min=1,max=16",
+     {{"hard", "clamped", OWN},
+      {"fade", "faded", OWN},
+      COMMON,
+      {"supersample:n=2", "2 x 2", REGULAR}},
+     {NULL}},
+    // Just above 4 cycles per pixel, where 4 x 4 samples see next to nothing move.
+    {"sine",
+     "sine of 4.1 cycles per pixel",
+     "sinesum:min=4.1,max=5",
+     {{"exact", "exact box", OWN}, COMMON},
+     {"point", "supersample:n=4", "supersample:n=4,pattern=jitter", "exact"}}};
+
+typedef struct measured {
+    bl_alias_result result;
+    const way *ways;
+} measured;
+
+// The smallest energy that is drawn; less, or what is lost in its own interval, stands there.
+static const double FLOOR = 1e-7;
+
+static size_t way_count(const subject *s) {
+    size_t count = 0;
+    while (count < METHODS_MOST && s->ways[count].method)
+        count++;
+    return count;
+}
+
+static const bl_alias_row *row_of(const subject *s, const measured *m, const char *method) {
+    for (size_t i = 0; i < way_count(s); i++)
+        if (s->ways[i].method == method || !strcmp(s->ways[i].method, method))
+            return &m->result.rows[i];
+    return NULL;
+}
+
+// A chirp that takes an image of any size to 2 cycles per pixel at the middle of an edge.
+static const char *text_of(bl_run *run, int n, size_t pixels) {
+    return n == 1 ? bl_run_text(run, "zoneplate:chirp=%zu", pixels) : subjects[n].text;
+}
+
+// Pixels of one size, whatever their number.
+static const char *view_of(bl_run *run, int n, size_t pixels) {
+    static const double pixels_a_unit[SUBJECTS] = {32, 0, 8, 1};
+    return n == 1 ? "flat:scale=2"
+                  : bl_run_text(run, n == 0 ? "flat:scale=%g,rotate=20" : "flat:scale=%g",
+                                (double)pixels / pixels_a_unit[n]);
+}
+
+static bl_status measure(bl_run *run, int n, measured *m, bl_message *message) {
+    const subject *s = &subjects[n];
+    const size_t pixels = (size_t)bl_run_pick(run, 32, 64, 128);
+    const char *methods[METHODS_MOST];
+    bl_alias_settings settings = bl_alias_default_settings();
+    bl_signal *signal;
+    bl_view view;
+    settings.replicates = (unsigned)bl_run_pick(run, 2, 3, 16);
+    settings.most_samples = (uint32_t)bl_run_pick(run, 32, 128, 1024);
+    settings.finest = (unsigned)bl_run_pick(run, 8, 16, 16);
+    settings.frames = 0;
+    settings.rounds = 0;
+    settings.seed = bl_run_settings(run)->seed;
+    settings.threads = bl_run_settings(run)->threads;
+    bl_status status = bl_source_open(text_of(run, n, pixels), BL_ISA_BEST, &signal, message);
+    if (status != BL_OK)
+        return status;
+    status = bl_view_open(view_of(run, n, pixels), pixels, pixels, &view, message);
+    if (status == BL_OK) {
+        for (size_t i = 0; i < way_count(s); i++)
+            methods[i] = s->ways[i].method;
+        bl_run_setting(run, bl_run_text(run, "%s", s->key), signal->text);
+        bl_run_setting(run, bl_run_text(run, "view of %s", s->key), view.text);
+        bl_run_step(run, s->key);
+        status =
+            bl_alias_measure(signal, &view, methods, way_count(s), &settings, &m->result, message);
+        bl_view_close(&view);
+    }
+    bl_signal_free(signal);
+    return status;
+}
+
+// --- the plot of alias against blur --------------------------------------------------------------
+
+static bl_status write_rows(bl_run *run, const subject *s, const measured *m, bl_message *message) {
+    enum { BLUR, ALIAS, ALIAS_LOWER, ALIAS_UPPER, MSE, SAMPLES, COLUMNS };
+    static const char *const names[] = {"blur",        "alias", "alias_lower",
+                                        "alias_upper", "mse",   "samples_a_pixel"};
+    const char *words[METHODS_MOST], *methods[METHODS_MOST];
+    double values[COLUMNS][METHODS_MOST], drawn[KINDS + 1][METHODS_MOST];
+    for (size_t i = 0; i < way_count(s); i++) {
+        const bl_alias_row *row = &m->result.rows[i];
+        words[i] = s->ways[i].word;
+        methods[i] = row->filter;
+        values[BLUR][i] = row->blur.value;
+        values[ALIAS][i] = row->alias.value;
+        values[ALIAS_LOWER][i] = row->alias.lower;
+        values[ALIAS_UPPER][i] = row->alias.upper;
+        values[MSE][i] = row->mse.value;
+        values[SAMPLES][i] = row->samples;
+        for (int k = 0; k < KINDS; k++)
+            drawn[k][i] = s->ways[i].kind == k ? fmax(row->alias.value, FLOOR) : NAN;
+        drawn[KINDS][i] = fmax(row->alias.value, FLOOR);
+    }
+    bl_column columns[3 + COLUMNS + KINDS] = {{"filter", NULL, methods}, {"word", NULL, words}};
+    size_t count = 2;
+    for (int c = 0; c < COLUMNS; c++)
+        columns[count++] = (bl_column){names[c], values[c], NULL};
+    for (int k = 0; k < KINDS; k++)
+        columns[count++] = (bl_column){kind_names[k], drawn[k], NULL};
+    columns[count++] = (bl_column){"alias_drawn", drawn[KINDS], NULL};
+    return bl_run_csv(run, s->key, "alias and blur of each filter, squares of the value", columns,
+                      count, way_count(s), message);
+}
+
+static bl_status draw_rows(bl_run *run, bl_message *message) {
+    bl_series series[DRAWN][KINDS + 1];
+    bl_panel panels[DRAWN];
+    for (int n = 0; n < DRAWN; n++) {
+        const char *file = bl_run_text(run, "%s.csv", subjects[n].key);
+        for (int k = 0; k < KINDS; k++)
+            series[n][k] = (bl_series){BL_STROKE_POINTS, kind_inks[k], file,           "blur",
+                                       kind_names[k],    NULL,         kind_labels[k], 0};
+        series[n][KINDS] = (bl_series){BL_STROKE_WORDS, BL_INK_PLAIN, file, "blur",
+                                       "alias_drawn",   "word",       NULL, 0};
+        panels[n] =
+            (bl_panel){.title = subjects[n].title, .series = series[n], .series_count = KINDS + 1};
+    }
+    const bl_plot plot = {.title = "How much alias and how much blur does each filter leave?",
+                          .x = {"blur, squares of the value", 1e-5, 1, 10, 1},
+                          .y = {"alias, squares of the value", 1e-7, 1, 10, 1},
+                          .panels = panels,
+                          .panel_count = DRAWN,
+                          .columns = 1,
+                          .aspect = 0.5};
+    return bl_run_plot(run, "alias-blur", &plot,
+                       "Three panels of named dots, alias upwards and blur to the right: point "
+                       "sampling stands on top, the textures' own filters below.",
+                       message);
+}
+
+// --- pictures ------------------------------------------------------------------------------------
+
+static bl_status draw_picture(bl_run *run, const char *key, const bl_alias_row *row, size_t pixels,
+                              bl_message *message) {
+    float *values = malloc(3 * pixels * pixels * sizeof *values);
+    if (!values)
+        return bl_report(message, BL_DEVICE, "out of memory");
+    for (size_t i = 0; i < 3 * pixels * pixels; i++)
+        values[i] = (float)row->image[i];
+    bl_status status = bl_run_image(run, key,
+                                    &(bl_image){.width = pixels,
+                                                .height = pixels,
+                                                .channels = 3,
+                                                .values = values,
+                                                .spacing = 1,
+                                                .white = 1,
+                                                .srgb = 1},
+                                    message);
+    free(values);
+    return status;
+}
+
+static bl_status draw_pictures(bl_run *run, const measured *all, bl_message *message) {
+    bl_panel panels[SUBJECTS * SHOWN];
+    size_t count = 0, pixels = all[0].result.reference.width;
+    for (int n = 0; n < SUBJECTS; n++)
+        for (int k = 0; k < SHOWN && subjects[n].shown[k]; k++) {
+            const bl_alias_row *row = row_of(&subjects[n], &all[n], subjects[n].shown[k]);
+            const char *word = subjects[n].ways[row - all[n].result.rows].word,
+                       *key = bl_run_text(run, "%s-%d", subjects[n].key, k + 1);
+            bl_status status = draw_picture(run, key, row, pixels, message);
+            if (status != BL_OK)
+                return status;
+            panels[count++] = (bl_panel){.title = word, .image = bl_run_text(run, "%s.png", key)};
+        }
+    const bl_plot plot = {.title = "What is left to see?",
+                          .x = {"pixels", 0, (double)pixels, (double)pixels / 2},
+                          .y = {"pixels", (double)pixels, 0, (double)pixels / 2},
+                          .panels = panels,
+                          .panel_count = count,
+                          .columns = SHOWN,
+                          .aspect = 1,
+                          .coloured = 1,
+                          .pixel = 1};
+    return bl_run_plot(run, "pictures", &plot,
+                       "A brick wall, a zone plate and a sine: point sampled with false patterns, "
+                       "supersampled with fainter ones, jittered with noise, filtered with none.",
+                       message);
+}
+
+// --- the largest single frequency of the error ---------------------------------------------------
+
+typedef struct error_image {
+    const bl_alias_row *row;
+    const bl_reference *reference;
+} error_image;
+
+static double error_at(const void *user, double x, double y) {
+    const error_image *e = user;
+    size_t i = 3 * ((size_t)y * e->reference->width + (size_t)x); // places are centres of pixels
+    return bl_colour_component(e->row->image + i, 0) -
+           bl_colour_component(e->reference->rgb + i, 0);
+}
+
+typedef struct error_lines {
+    double energy, largest; // mean square of the error, and the part of one frequency in it
+} error_lines;
+
+static bl_status measure_lines(const measured *m, const bl_alias_row *row, error_lines *lines,
+                               bl_message *message) {
+    const bl_reference *reference = &m->result.reference;
+    const error_image image = {row, reference};
+    bl_image_spectrum spectrum;
+    bl_status status =
+        bl_image_spectrum_take(error_at, &image, reference->width, reference->height, 1,
+                               (const double[2]){0.5, 0.5}, 0, 1, &spectrum, message);
+    if (status != BL_OK)
+        return status;
+    size_t half = reference->width / 2 + 1;
+    *lines = (error_lines){0, 0};
+    for (size_t k = 0; k < half * reference->height; k++) {
+        const double *c = spectrum.coefficient + 2 * k;
+        int twice = k % half && k % half != half - 1;
+        double energy = (1 + twice) * (c[0] * c[0] + c[1] * c[1]);
+        lines->energy += energy;
+        lines->largest = fmax(lines->largest, energy);
+    }
+    bl_image_spectrum_free(&spectrum);
+    return BL_OK;
+}
+
+static bl_status claim_lines(bl_run *run, int n, const measured *m, bl_message *message) {
+    const subject *s = &subjects[n];
+    error_lines regular, jittered;
+    bl_status status = measure_lines(m, row_of(s, m, "supersample:n=4"), &regular, message);
+    if (status == BL_OK)
+        status =
+            measure_lines(m, row_of(s, m, "supersample:n=4,pattern=jitter"), &jittered, message);
+    if (status != BL_OK)
+        return status;
+    double energy = 10 * log10(jittered.energy / regular.energy);
+    double share = 10 * log10(jittered.largest / regular.largest) - energy;
+    double pixels = (double)(m->result.reference.width * m->result.reference.height);
+    const char *reading =
+        bl_run_text(run, "%s, 4 x 4 samples, jittered over regular", subjects[n].key);
+    bl_make_claim(run, "peachey2003, Methods of Antialiasing Procedural Textures",
+                  "Irregular samples turn the structured alias into noise: the share of the "
+                  "largest single frequency in the error falls.",
+                  reading, "dB", -INFINITY, 0, bl_observed(share, pixels), "pixels");
+    bl_make_claim(run, "peachey2003, Methods of Antialiasing Procedural Textures",
+                  "Irregular samples convert aliases into noise and cannot eliminate them: the "
+                  "error keeps at least a tenth of its energy.",
+                  reading, "dB", -10, INFINITY, bl_observed(energy, pixels), "pixels");
+    return BL_OK;
+}
+
+// --- claims --------------------------------------------------------------------------------------
+
+static void claim_ratio(bl_run *run, const char *source, const char *sentence, int n,
+                        const measured *all, const char *a, const char *b, double upper) {
+    const bl_alias_row *above = row_of(&subjects[n], &all[n], a);
+    const bl_alias_row *below = row_of(&subjects[n], &all[n], b);
+    bl_make_claim(run, source, sentence,
+                  bl_run_text(run, "%s: alias of %s over that of %s", subjects[n].key, a, b), "dB",
+                  -INFINITY, upper, bl_ratio_db(above->alias, below->alias),
+                  "random shifts of the pixels");
+}
+
+static bl_status claim_all(bl_run *run, const measured *all, bl_message *message) {
+    static const char *const section = "peachey2003, Methods of Antialiasing Procedural Textures";
+    claim_ratio(run, "peachey2003, Example: Antialiased Brick Texture",
+                "The integral takes the alias of a brick wall away: at least nine tenths.", 0, all,
+                "integral", "point", -10);
+    for (int n = 0; n < DRAWN; n++)
+        claim_ratio(run, section,
+                    "Supersamples take away the alias from frequencies below their own Nyquist "
+                    "limit.",
+                    n, all, "supersample:n=4", "point", 0);
+    claim_ratio(run, section,
+                "Filtering before sampling is better than random supersamples: less alias.", 0, all,
+                "exact", "supersample:n=4,pattern=jitter", 0);
+    claim_ratio(run, section,
+                "Filtering before sampling is better than random supersamples: less alias.", 1, all,
+                "exact", "supersample:n=4,pattern=jitter", 0);
+    claim_ratio(run, "peachey2003, Clamping",
+                "Clamping takes alias away from a sum of noises, too, if less than from sines.", 2,
+                all, "fade", "point", 0);
+    claim_ratio(run, "bandlimit",
+                "A Gaussian of the same width lets less alias through than a box, whose response "
+                "falls slowly.",
+                1, all, "gaussian", "exact", 0);
+    bl_status status = claim_lines(run, 0, &all[0], message);
+    return status == BL_OK ? claim_lines(run, SINE, &all[SINE], message) : status;
+}
+
+static bl_status run_figure(bl_run *run, bl_message *message) {
+    measured all[SUBJECTS] = {0};
+    bl_status status = BL_OK;
+    int done = 0;
+    for (; done < SUBJECTS && status == BL_OK; done++)
+        status = measure(run, done, &all[done], message);
+    done -= status != BL_OK;
+    for (int n = 0; n < SUBJECTS && status == BL_OK; n++)
+        status = write_rows(run, &subjects[n], &all[n], message);
+    if (status == BL_OK)
+        status = draw_rows(run, message);
+    if (status == BL_OK)
+        status = draw_pictures(run, all, message);
+    if (status == BL_OK)
+        status = claim_all(run, all, message);
+    for (int n = 0; n < done; n++)
+        bl_alias_free(&all[n].result);
+    return status;
+}
+
+BL_FIGURE_DESCRIPTOR(alias_blur) = {
+    .name = "alias-blur",
+    .title = "Alias and blur of filters",
+    .question = "How much alias and how much blur does each filter leave?",
+    .paper = "peachey2003, Methods of Antialiasing Procedural Textures",
+    .shows =
+        "Each way to sample a brick wall, a zone plate and a turbulence: the energy that folds "
+        "into the picture (alias) against the energy that is missing or wrong within it (blur). "
+        "The best stands at the lower left. A box that is a pixel wide is no ideal filter: it "
+        "blurs, and leaves some alias. Pictures show what that looks like, of a sine, too, for "
+        "which 4 x 4 samples "
+        "are too few.",
+    .run = run_figure};
