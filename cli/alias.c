@@ -43,22 +43,23 @@ static bl_status read_size(const char *text, size_t size[2], bl_message *message
     return BL_OK;
 }
 
-// A method that this program has not yet is left out of the usual ones.
-static int is_there(const char *text) {
-    char name[64];
-    snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
-    return bl_method_find(name) != NULL;
+// Whether the signal has the usual method as a word of its own, under the same name.
+static int is_own(const char *text, const char *const *own) {
+    for (; own && *own; own++)
+        if (strcmp(*own, text) == 0)
+            return 1;
+    return 0;
 }
 
 static int add_all(const bl_signal *signal, bl_words *methods) {
     const char *key = bl_method_own_key(signal);
     const char *const *own = key ? bl_signal_choices(signal, key) : NULL;
     int whole = 1;
-    for (; own && *own; own++)
-        if (strcmp(*own, "none") != 0) // which is point sampling
-            whole = whole && bl_words_add(methods, *own);
+    for (size_t i = 0; own && own[i]; i++)
+        if (strcmp(own[i], "none") != 0) // which is point sampling
+            whole = whole && bl_words_add(methods, own[i]);
     for (size_t i = 0; i < USUAL; i++)
-        if (is_there(usual[i]))
+        if (!is_own(usual[i], own))
             whole = whole && bl_words_add(methods, usual[i]);
     return whole;
 }

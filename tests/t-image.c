@@ -425,7 +425,7 @@ static void test_png_codes_of_linear_light_follow_srgb(void **state) {
         .width = 4, .height = 1, .values = values, .white = 1, .bits = 16, .srgb = 1};
     bl_message message = {""};
     assert_int_equal(bl_image_write(bl_temporary_path("light.png"), &image, &message), BL_OK);
-    bl_signal *signal = open_good("light.png", ":spacing=1");
+    bl_signal *signal = bl_test_open_file("light.png", ":spacing=1");
     for (int i = 0; i < 4; i++)
         assert_near(at(signal, i, 0), codes[i], 2e-5);
     bl_signal_free(signal);
