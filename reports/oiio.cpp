@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -662,16 +663,22 @@ void measure_picture(Picture &picture) {
 
 } // namespace
 
-// The signal's own texture system: nothing is shared, so nothing is left when it goes.
+// The signal's own texture system: nothing is shared, so nothing is left when it goes. Threads take
+// turns at it with one state: the cache of the library counts the memory of its tiles wrongly when
+// threads fill it at once, and ends the program for it.
 struct bl_texels {
     Picture picture;
     OIIO::TextureSystem *system = nullptr;
     OIIO::TextureSystem::TextureHandle *handle = nullptr;
+    OIIO::TextureSystem::Perthread *state = nullptr;
+    mutable std::mutex turn;
 
     bl_texels() = default;
     bl_texels(const bl_texels &) = delete;
     bl_texels &operator=(const bl_texels &) = delete;
     ~bl_texels() {
+        if (state)
+            system->destroy_thread_info(state);
         if (system)
             OIIO::TextureSystem::destroy(system, true);
     }
@@ -690,6 +697,7 @@ bl_status open_texels(const char *path, bl_texels **out, bl_message *message) {
     }
     measure_picture(texels->picture);
     texels->system = OIIO::TextureSystem::create(false);
+    texels->state = texels->system->create_thread_info();
     texels->system->attribute("automip", 1);
     texels->system->attribute("autotile", 64);
     texels->system->attribute("forcefloat", 1);
@@ -725,8 +733,9 @@ void look(const bl_texels &texels, double s, double t, double width_s, double wi
     const float across = static_cast<float>(std::fmin(width_s, 1e6));
     const float up = static_cast<float>(std::fmin(width_t, 1e6));
     float result[3] = {NAN, NAN, NAN};
-    if (!texels.system->texture(texels.handle, texels.system->get_perthread_info(), options,
-                                fraction_of(s), fraction_of(-t), across, 0.0f, 0.0f, up, 3, result))
+    const std::lock_guard<std::mutex> guard(texels.turn);
+    if (!texels.system->texture(texels.handle, texels.state, options, fraction_of(s),
+                                fraction_of(-t), across, 0.0f, 0.0f, up, 3, result))
         (void)texels.system->geterror();
     for (int c = 0; c < 3; c++)
         rgb[c] = static_cast<double>(result[c]);
