@@ -30,6 +30,7 @@ typedef struct measurement {
     bl_scene_method *images;
     double (*alias)[REPLICATES_MOST], (*blur)[REPLICATES_MOST];
     double (*first)[REPLICATES_MOST];
+    bl_alias_row *rows; // of the result
 } measurement;
 
 bl_alias_settings bl_alias_default_settings(void) {
@@ -38,8 +39,8 @@ bl_alias_settings bl_alias_default_settings(void) {
                                .finest = 16,
                                .replicates = 4,
                                .frames = 8,
-                               .rounds = 9,
-                               .turn_seconds = 2e-3,
+                               .rounds = 31,
+                               .turn_seconds = 3e-4,
                                .most_samples = 512,
                                .level = 0.95,
                                .seed = 1};
@@ -87,6 +88,8 @@ static bl_status add_energies(measurement *m, size_t method, size_t replicate,
         m->alias[method][replicate] = energies.alias;
         m->blur[method][replicate] = energies.blur;
         m->first[method][replicate] = energies.first_alias;
+        if (replicate == 0)
+            bl_image_error_rings(&spectrum, truth, BL_ALIAS_RINGS, m->rows[method].rings);
         bl_image_spectrum_free(&spectrum);
     }
     bl_signal_free(made);
@@ -291,7 +294,8 @@ static bl_status open_methods(measurement *m, const char *const *texts, bl_alias
 
 static bl_status allocate(measurement *m, bl_alias_result *result, bl_message *message) {
     result->count = m->count;
-    result->rows = calloc(m->count, sizeof *result->rows);
+    result->rows = m->rows = calloc(m->count, sizeof *result->rows);
+    result->ring_width = bl_image_highest(m->settings->oversample) / BL_ALIAS_RINGS;
     m->methods = calloc(m->count, sizeof *m->methods);
     m->scenes = calloc(m->count, sizeof *m->scenes);
     m->images = calloc(m->count, sizeof *m->images);

@@ -43,6 +43,8 @@ typedef struct bl_alias_settings {
 
 bl_alias_settings bl_alias_default_settings(void);
 
+enum { BL_ALIAS_RINGS = 32 };
+
 typedef struct bl_alias_row {
     char *filter; // the text of the method; owned by the result
     bl_estimate alias, blur, mse, ssim, flicker;
@@ -51,7 +53,9 @@ typedef struct bl_alias_row {
     double predicted_alias, predicted_blur; // of a stationary signal seen flat; NAN: none
     double first_alias;                     // cycles per pixel of the strongest alias; NAN
     double pops;                            // sudden changes in a slow zoom (aliasing/flicker.h)
-    double samples;                         // of the signal, a pixel
+    double rings[BL_ALIAS_RINGS]; // the energy of the error by frequency (aliasing/energy.h), of
+                                  // the first replicate
+    double samples;               // of the signal, a pixel
     double ns_per_sample, ns_lowest, ns_highest; // of a pixel: median, least and most
     double *image; // linear red, green and blue of each pixel; owned by the result
 } bl_alias_row;
@@ -61,6 +65,7 @@ typedef struct bl_alias_result {
     bl_alias_row *rows;
     bl_reference reference; // the converged image
     double reference_error; // its rms error: twice the standard error
+    double ring_width;      // of the spectrum of the error, cycles per pixel
     double seen;            // share of the pixels that see the signal
     double mean[3];         // colour of the signal, which stands where the view sees nothing
 } bl_alias_result;

@@ -161,19 +161,25 @@ bl_energies bl_image_energies(const bl_image_spectrum *sampled, const bl_image_s
     return energies;
 }
 
-void bl_image_rings(const bl_image_spectrum *spectrum, size_t count, double *energy) {
-    const size_t columns = spectrum->width * spectrum->oversample;
-    const int64_t rows = (int64_t)(spectrum->height * spectrum->oversample);
-    const double highest = 0.5 * (double)spectrum->oversample;
+double bl_image_highest(size_t oversample) {
+    return (double)oversample * sqrt(0.5);
+}
+
+void bl_image_error_rings(const bl_image_spectrum *sampled, const bl_image_spectrum *truth,
+                          size_t count, double *energy) {
+    const size_t columns = sampled->width * sampled->oversample;
+    const int64_t rows = (int64_t)(sampled->height * sampled->oversample);
+    const double width = (double)sampled->width, height = (double)sampled->height;
+    const double rings = (double)count / bl_image_highest(sampled->oversample);
     for (size_t i = 0; i < count; i++)
         energy[i] = 0;
     for (int64_t m = -(rows / 2) + !(rows % 2); m <= rows / 2; m++)
         for (size_t k = 0; k <= columns / 2; k++) {
-            double f =
-                hypot((double)k / (double)spectrum->width, (double)m / (double)spectrum->height);
-            const double *g = at(spectrum, k, m);
-            if (f < highest)
-                energy[(size_t)(f / highest * (double)count)] +=
-                    weight_of(spectrum, k) * (g[0] * g[0] + g[1] * g[1]);
+            int inside = 2.0 * fabs((double)m) < height && 2.0 * (double)k < width;
+            const double *g = at(sampled, k, m), *f = at(truth, inside ? k : 0, inside ? m : 0);
+            double real = g[0] - (inside ? f[0] : 0), imaginary = g[1] - (inside ? f[1] : 0);
+            size_t ring = (size_t)(rings * hypot((double)k / width, (double)m / height));
+            energy[ring < count ? ring : count - 1] +=
+                weight_of(sampled, k) * (real * real + imaginary * imaginary);
         }
 }

@@ -50,8 +50,13 @@ typedef struct bl_energies {
 // Compares the image that a method gives with the true one, of the same size and shift. Pure.
 bl_energies bl_image_energies(const bl_image_spectrum *sampled, const bl_image_spectrum *truth);
 
-// The energy of a spectrum by the distance of the frequency from 0, in `count` rings of equal width
-// up to half the sampling rate; the rest is left out. Pure.
-void bl_image_rings(const bl_image_spectrum *spectrum, size_t count, double *energy);
+// The energy of the error, alias and blur together, by the distance of the frequency from 0 before
+// anything folds: `count` rings of equal width up to bl_image_highest, whose energies sum to those
+// of bl_image_energies. Pure.
+void bl_image_error_rings(const bl_image_spectrum *sampled, const bl_image_spectrum *truth,
+                          size_t count, double *energy);
+
+// The highest frequency of a grid of so many samples a pixel, in its corners; cycles per pixel.
+double bl_image_highest(size_t oversample);
 
 #endif

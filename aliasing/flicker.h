@@ -4,7 +4,8 @@
 //
 // Flicker is the variance over time of the error of a pixel, averaged over pixels: while the view
 // pans by a pixel in sub-pixel steps, and while it zooms until its corners have moved by about one.
-// What should stay constant is the error, 0; a constant error (blur) does not flicker.
+// What should stay constant is the error, 0. An error that stays where it is does not flicker; what
+// a blur lacks does as far as it moves through the pixel, and alias does most.
 //
 // Pops are sudden changes while the view zooms by a factor of 2 in eight times as many steps, in
 // the middle half of the image, where little moves: of the rms change of the error from one frame

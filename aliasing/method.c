@@ -92,10 +92,12 @@ static bl_status read_signal(const bl_signal *signal, const char *word, bl_metho
     if (word)
         return bl_signal_with_choice(signal, bl_method_own_key(signal), word, &method->signal,
                                      message);
-    method->signal = bl_signal_copy(signal);
-    return method->signal ? BL_OK
-                          : bl_report(message, BL_DEVICE, "out of memory, or '%s' cannot be copied",
-                                      signal->text);
+    method->borrowed = signal->functions->release && !signal->functions->build;
+    // What is borrowed is only read: nobody writes through it.
+    method->signal = method->borrowed ? (bl_signal *)(uintptr_t)signal : bl_signal_copy(signal);
+    return method->signal
+               ? BL_OK
+               : bl_report(message, BL_DEVICE, "out of memory opening '%s'", signal->text);
 }
 
 bl_status bl_method_open(const char *text, const bl_signal *signal, bl_method *method,
@@ -109,6 +111,10 @@ bl_status bl_method_open(const char *text, const bl_signal *signal, bl_method *m
     const bl_method_kind *kind = bl_method_find(own ? "own" : spec.name);
     if (!kind)
         status = report_unknown(spec.name, signal, message);
+    else if (strcmp(kind->name, "own") == 0 && !signal->functions->filtered)
+        status = bl_report(message, BL_USAGE,
+                           "'%s' at column 1: '%.64s' cannot filter itself; use another method",
+                           spec.name, signal->text);
     if (status == BL_OK)
         status = read_settings(kind, &spec, text, method, message);
     if (status == BL_OK)
@@ -122,7 +128,8 @@ bl_status bl_method_open(const char *text, const bl_signal *signal, bl_method *m
 void bl_method_close(bl_method *method) {
     free(method->parameters);
     free(method->text);
-    bl_signal_free(method->signal);
+    if (!method->borrowed)
+        bl_signal_free(method->signal);
     *method = (bl_method){0};
 }
 

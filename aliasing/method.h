@@ -48,12 +48,14 @@ typedef struct bl_method {
     const bl_method_kind *kind;
     void *parameters;  // owned
     char *text;        // as in reports: "integral", "supersample:n=4"; owned
-    bl_signal *signal; // the signal as this method reads it (with its word of `filter`); owned
+    bl_signal *signal; // the signal as this method reads it (with its word of `filter`); owned, but
+                       // for one that cannot be copied (a file), which is the caller's
+    int borrowed;
 } bl_method;
 
-// Opens a method for a signal: a word of the signal's key `filter`, or one of the registry with its
-// settings. The caller ends with bl_method_close. Errors: BL_USAGE for an unknown name (with the
-// nearest), key or value; BL_DEVICE out of memory.
+// Opens a method for a signal, which must outlive it: a word of the signal's key `filter`, or one
+// of the registry with its settings. The caller ends with bl_method_close. Errors: BL_USAGE for an
+// unknown name (with the nearest), key or value; BL_DEVICE out of memory.
 bl_status bl_method_open(const char *text, const bl_signal *signal, bl_method *method,
                          bl_message *message);
 void bl_method_close(bl_method *method);

@@ -46,8 +46,9 @@ bl_status bl_scene_make(const bl_signal *signal, const bl_view *view, uint64_t s
     if (count == 0)
         return bl_report(message, BL_MISMATCH, "'%s' has no value where the view '%s' looks",
                          signal->text, view->text);
+    int stated = isfinite(signal->facts.mean) && !signal->functions->colour;
     for (int c = 0; c < 3; c++)
-        scene->mean[c] = scene->background[c] = sum[c] / count;
+        scene->mean[c] = scene->background[c] = stated ? signal->facts.mean : sum[c] / count;
     return BL_OK;
 }
 

@@ -6,10 +6,10 @@
 
 #include "aliasing/method.h"
 
-// A scene of the signal and the view, which must outlive it. Its mean colour is that of the signal
-// at 2^14 places within 64 units of what the view sees (an image: at what is seen); it is the
-// background too. `seen` is the share of the view that sees the signal. Errors: BL_MISMATCH if the
-// view sees nothing, or no value that is finite.
+// A scene of the signal and the view, which must outlive it. Its mean colour is what the signal
+// states, or that of the signal at 2^14 places within 64 units of what the view sees (an image: at
+// what is seen); it is the background too. `seen` is the share of the view that sees the signal.
+// Errors: BL_MISMATCH if the view sees nothing, or no value that is finite.
 bl_status bl_scene_make(const bl_signal *signal, const bl_view *view, uint64_t seed,
                         bl_scene *scene, double *seen, bl_message *message);
 

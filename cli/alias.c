@@ -92,8 +92,8 @@ static bl_alias_settings settings_of(const bl_call *call) {
     } else if (call->common.full) {
         settings.replicates = 16;
         settings.frames = 16;
-        settings.rounds = 31;
-        settings.turn_seconds = 1e-2;
+        settings.rounds = 101;
+        settings.turn_seconds = 1e-3;
         settings.most_samples = 1 << 14;
     }
     return settings;
@@ -119,6 +119,7 @@ static json_t *row_json(const bl_alias_row *row) {
     bl_json_set_number(object, "first_alias_cycles_per_pixel", row->first_alias);
     bl_json_set_number(object, "predicted_alias", row->predicted_alias);
     bl_json_set_number(object, "predicted_blur", row->predicted_blur);
+    bl_json_set_numbers(object, "error_spectrum", row->rings, BL_ALIAS_RINGS);
     return object;
 }
 
@@ -139,9 +140,18 @@ static void fill_json(json_t *object, const bl_call *call, const bl_signal *sign
     bl_json_set_number(object, "reference_samples_per_pixel", result->reference.samples);
     json_object_set_new(object, "reference_exact", json_boolean(result->reference.exact));
     json_object_set_new(object, "reference_from_cache", json_boolean(result->reference.from_cache));
+    bl_json_set_number(object, "error_spectrum_ring_cycles_per_pixel", result->ring_width);
     for (size_t i = 0; i < result->count; i++)
         json_array_append_new(rows, row_json(&result->rows[i]));
     json_object_set_new(object, "rows", rows);
+}
+
+// Whether the reference is good to a tenth of the smallest error that was measured with it.
+static int is_converged(const bl_alias_result *result) {
+    double least = INFINITY;
+    for (size_t i = 0; i < result->count; i++)
+        least = fmin(least, result->rows[i].mse.value);
+    return result->reference_error <= 0.1 * sqrt(least) + 0x1p-16;
 }
 
 static void print_table(FILE *out, const bl_signal *signal, const bl_view *view,
@@ -156,9 +166,12 @@ static void print_table(FILE *out, const bl_signal *signal, const bl_view *view,
     bl_plain_text(out, view->text);
     fprintf(out, ", %zu x %zu pixels, %s pixel\n", view->width, view->height,
             bl_pixel_words[settings->pixel]);
-    fprintf(out, "reference: %s%.4g samples a pixel, rms error below %.2g\n\n",
+    fprintf(out, "reference: %s%.4g samples a pixel, rms error below %.2g%s\n\n",
             result->reference.exact ? "exact, " : "", result->reference.samples,
-            result->reference_error);
+            result->reference_error,
+            is_converged(result) ? ""
+                                 : "\n(more than a tenth of the smallest error below: see "
+                                   "the interval of mse, or take --full)");
     fprintf(out,
             "%-*s  alias      blur       mse        psnr_db  ssim    max_error  flicker    "
             "ns_per_sample\n",
@@ -225,8 +238,7 @@ static const bl_option options[] = {
      .offset = AT(view),
      .value = "VIEW",
      .fallback = "flat",
-     .help = "what the pixels see, as plane:height=1,fov=60; `bandlimit list views` shows all "
-             "(default: flat)"},
+     .help = "what the pixels see, as plane:height=1,fov=60; `bandlimit list views` shows all"},
     {.name = "filter",
      .kind = BL_OPTION_WORDS,
      .offset = AT(filters),
@@ -246,7 +258,7 @@ static const bl_option options[] = {
      .fallback = "box",
      .choices = bl_pixel_words,
      .help = "of the converged reference: box, a pixel wide, or gaussian, of a standard deviation "
-             "of half a pixel (default: box)"},
+             "of half a pixel"},
     {.name = "cache",
      .kind = BL_OPTION_WORD,
      .offset = AT(cache),

@@ -46,11 +46,8 @@ _bandlimit() {
             continuity seeds far gradient cost" -- "${current##*,}"))
         ;;
     --view) COMPREPLY=($(compgen -W "$(_bandlimit_names views)" -- "$current")) ;;
-    --filter) COMPREPLY=($(compgen -W "all point supersample mean own" -- "$current")) ;;
-    --trade)
-        COMPREPLY=($(compgen -W "kernel-table interpolation impulses precision octaves curve-form
-            step-filter texture-filter averages" -- "$current"))
-        ;;
+    --filter) COMPREPLY=($(compgen -W "all $(_bandlimit_names methods)" -- "$current")) ;;
+    --trade) COMPREPLY=($(compgen -W "$(_bandlimit_names trades)" -- "$current")) ;;
     --pixel) COMPREPLY=($(compgen -W "box gaussian" -- "$current")) ;;
     --cache) COMPREPLY=($(compgen -d -- "$current")) ;;
     --bits) COMPREPLY=($(compgen -W "8 16" -- "$current")) ;;
@@ -88,7 +85,7 @@ _bandlimit() {
     "") words=$verbs ;;
     list)
         options="--names"
-        words="noises primitives filters textures views figures"
+        words="noises primitives filters textures views methods trades figures"
         ;;
     show) words="$(_bandlimit_names noises) $(_bandlimit_names figures)" files=yes ;;
     eval)

@@ -158,8 +158,19 @@ static void test_a_width_of_its_own_is_that_of_the_sum(void **state) {
         assert_true(isnan(bl_octaves_value_for_width(plain, at, NAN)));
         assert_true(isnan(bl_octaves_value_for_width(plain, at, -1)));
         assert_true(isnan(bl_octaves_value_for_width(plain, bad, INFINITY)));
+        // Filtered for a view: the widest of the axes that the sum has, or the width of its key.
+        const double wide[BL_AXES] = {0.1, 0.3, 0.2, 9}, lost[BL_AXES] = {NAN, 0.3, 0.2, 0};
+        const double none[BL_AXES] = {0};
+        assert_near(bl_signal_filtered(plain, at, wide), bl_octaves_value_for_width(plain, at, 0.3),
+                    0);
+        assert_near(bl_signal_filtered(plain, at, none), bl_signal_value(plain, at), 0);
+        assert_true(isnan(bl_signal_filtered(plain, at, lost)));
         bl_signal_free(plain);
     }
+    bl_signal *clamped = open_signal("fractalsum:width=0.4");
+    const double at[BL_AXES] = {0.3, 0.4, 0.5, 0}, narrow[BL_AXES] = {0.1, 0.1, 0.1, 0.1};
+    assert_near(bl_signal_filtered(clamped, at, narrow), bl_signal_value(clamped, at), 0);
+    bl_signal_free(clamped);
     bl_signal *other = open_signal("gnoise");
     assert_true(isnan(bl_octaves_value_for_width(other, (const double[BL_AXES]){0}, 1)));
     bl_signal_free(other);

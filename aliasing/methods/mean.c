@@ -14,7 +14,8 @@
 //   from, to  where the fade begins and ends, cycles per sample
 //   width     the estimator (filters/sample_width.h)
 //
-// Source: peachey2003, p. 62 (the fade), and Norton, Rockwood and Skolmoski 1982.
+// Source: peachey2003, Alternative Antialiasing Methods (the fade), and Norton, Rockwood and
+// Skolmoski 1982.
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -99,7 +100,7 @@ static const bl_parameter parameters[] = {
 BL_METHOD_DESCRIPTOR(mean) = {.name = "mean",
                               .title = "fade to the mean",
                               .summary = "A point sample that fades to the mean with the width.",
-                              .paper = "peachey2003, p. 62",
+                              .paper = "peachey2003, Alternative Antialiasing Methods",
                               .parameters = parameters,
                               .parameters_size = sizeof(mean_parameters),
                               .sample = sample,

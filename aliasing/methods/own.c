@@ -12,7 +12,7 @@
 //   scale   a factor on it
 //   k       of the estimator `distance`: units a unit of distance
 //
-// Source: peachey2003, p. 60.
+// Source: peachey2003, Analytic Prefiltering.
 #include <stddef.h>
 #include <string.h>
 
@@ -68,7 +68,7 @@ static const bl_parameter parameters[] = {{.key = "width",
 BL_METHOD_DESCRIPTOR(own) = {.name = "own",
                              .title = "the signal's own filter",
                              .summary = "The signal filters itself for the width of a sample.",
-                             .paper = "peachey2003, p. 60",
+                             .paper = "peachey2003, Analytic Prefiltering",
                              .parameters = parameters,
                              .parameters_size = sizeof(own_parameters),
                              .sample = sample,

@@ -2,7 +2,7 @@
 //
 // point: one sample in the middle of the pixel. No blur at all, and all of the alias.
 //
-// Source: peachey2003, p. 57.
+// Source: peachey2003, Signal Processing.
 #include "aliasing/method.h"
 
 static void sample(const void *parameters, const bl_scene *scene, double x, double y,
@@ -26,7 +26,7 @@ static const bl_parameter parameters[] = {{.key = NULL}};
 BL_METHOD_DESCRIPTOR(point) = {.name = "point",
                                .title = "point sampling",
                                .summary = "One sample in the middle of the pixel.",
-                               .paper = "peachey2003, p. 57",
+                               .paper = "peachey2003, Signal Processing",
                                .parameters = parameters,
                                .sample = sample,
                                .samples = samples,

@@ -15,7 +15,7 @@
 //            pixel
 //   pixel    the kernel (`bandlimit list filters`)
 //
-// Source: peachey2003, p. 58; Cook 1986.
+// Source: peachey2003, Alternative Antialiasing Methods; Cook 1986.
 #include <math.h>
 #include <stddef.h>
 
@@ -111,7 +111,7 @@ static const bl_parameter parameters[] = {{.key = "n",
 BL_METHOD_DESCRIPTOR(supersample) = {.name = "supersample",
                                      .title = "supersampling",
                                      .summary = "n x n samples a pixel, weighted by a kernel.",
-                                     .paper = "peachey2003, p. 58",
+                                     .paper = "peachey2003, Alternative Antialiasing Methods",
                                      .parameters = parameters,
                                      .parameters_size = sizeof(supersample_parameters),
                                      .sample = sample,

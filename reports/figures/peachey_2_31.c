@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+//
+// peachey-2.31: the brick texture with too few samples; its joints seem to vary in width.
+#include <math.h>
+
+#include "reports/figures/brick_wall.h"
+#include "reports/figures/estimates.h"
+
+static bl_status draw_widths(bl_run *run, const double *place, const double *width,
+                             bl_message *message) {
+    const bl_column columns[] = {{"height_units", place, NULL}, {"width_mortars", width, NULL}};
+    bl_status status = bl_run_csv(run, "widths", "level joints of the wall, point sampled", columns,
+                                  2, BL_WALL_JOINTS, message);
+    const bl_series series[] = {{BL_STROKE_POINTS, BL_INK_MEASURED, "widths.csv", "height_units",
+                                 "width_mortars", NULL, "point sampled", 0}};
+    const bl_limit limits[] = {{0, 1, "the mortar"}};
+    const bl_panel panel = {"level joints, from the bottom up", series, 1, NULL};
+    const bl_plot plot = {.title = "How wide do the joints look?",
+                          .x = {"height of the joint, units", -1, 1, 0.25, 0},
+                          .y = {"width, thicknesses of the mortar", -0.2, 2, 0.5, 0},
+                          .panels = &panel,
+                          .panel_count = 1,
+                          .columns = 1,
+                          .aspect = 0.4,
+                          .limits = limits,
+                          .limit_count = 1};
+    return status == BL_OK ? bl_run_plot(run, "widths", &plot,
+                                         "Dots of twenty joints: some at 0, as if there were no "
+                                         "mortar, the others at one and a half.",
+                                         message)
+                           : status;
+}
+
+// A joint of 0.64 pixels holds the centre of one pixel, which is drawn whole, or of none.
+static double distance_from_choice(const double *width) {
+    const double pixel = 2.0 / BL_WALL_PIXELS / 0.01; // in thicknesses of the mortar
+    double worst = 0;
+    for (int k = 0; k < BL_WALL_JOINTS; k++)
+        worst = fmax(worst, fmin(fabs(width[k]), fabs(width[k] - pixel)));
+    return worst;
+}
+
+static bl_status run_figure(bl_run *run, bl_message *message) {
+    double place[BL_WALL_JOINTS], width[BL_WALL_JOINTS];
+    bl_wall wall;
+    bl_status status = bl_wall_open(run, &wall, message);
+    if (status != BL_OK)
+        return status;
+    status = bl_wall_draw(run, &wall, "point", "brick", "What does a brick wall look like aliased?",
+                          "Two pictures of a brick wall with joints that are missing in places and "
+                          "a whole pixel wide in others, in perspective with false patterns.",
+                          message);
+    if (status == BL_OK)
+        status = bl_wall_widths(&wall, "point", place, width, message);
+    if (status == BL_OK)
+        status = draw_widths(run, place, width, message);
+    bl_wall_close(&wall);
+    if (status != BL_OK)
+        return status;
+    bl_make_claim(run, "peachey2003, Methods of Antialiasing Procedural Textures, fig. 2.31",
+                  "With few samples the width of the joints appears to vary in different parts of "
+                  "the image: its standard deviation.",
+                  "20 level joints along the wall, one sample a pixel", "thicknesses of the mortar",
+                  0.1, 10, bl_observed(bl_wall_spread(width), BL_WALL_JOINTS), "joints");
+    bl_make_claim(run, "bandlimit",
+                  "A joint of 0.64 pixels is drawn a whole pixel wide or not at all: the largest "
+                  "distance from the nearer of both.",
+                  "the same joints", "thicknesses of the mortar", 0, 1e-9,
+                  bl_observed(distance_from_choice(width), BL_WALL_JOINTS), "joints");
+    return BL_OK;
+}
+
+BL_FIGURE_DESCRIPTOR(peachey_2_31) = {
+    .name = "peachey-2.31",
+    .title = "The brick texture aliased",
+    .question = "What do too few samples do to a brick wall?",
+    .paper = "peachey2003, fig. 2.31",
+    .shows =
+        "A wall of bricks with one sample a pixel, straight ahead and in perspective, and the "
+        "widths of its level joints as they are seen along the wall.",
+    .run = run_figure};
