@@ -113,6 +113,7 @@ static void fill_json(json_t *object, const bl_signal *signal, const bl_view *vi
     bl_json_set_text(object, "measure", settings->largest ? "largest" : "rms");
     bl_json_set_number(object, "reference_rms_error", advice->alias.reference_error);
     bl_json_set_text(object, "verdict", bl_status_word(advice->verdict));
+    bl_json_set_count(object, "exit_status", (uint64_t)advice->verdict);
     set_row(object, "advice", advice, advice->verdict == BL_OK ? advice->chosen : SIZE_MAX);
     set_row(object, "best", advice, advice->chosen);
     set_row(object, "next_cheaper", advice, advice->cheaper);

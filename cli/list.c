@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "aliasing/method.h"
+#include "aliasing/trade.h"
 #include "cli/json.h"
 #include "cli/verb.h"
 #include "cli/words.h"
@@ -65,11 +66,16 @@ static list_entry method_at(size_t index) {
     return (list_entry){method->name, method->title, method->paper, method->summary, 0};
 }
 
+static list_entry trade_at(size_t index) {
+    const bl_trade *trade = bl_trade_at(index);
+    return (list_entry){trade->name, trade->title, trade->paper, trade->question, 0};
+}
+
 static const list_section sections[] = {
     {"noises", bl_noise_count, noise_at},    {"primitives", bl_primitive_count, primitive_at},
     {"filters", bl_filter_count, filter_at}, {"textures", bl_texture_count, texture_at},
     {"views", bl_view_count, view_at},       {"methods", bl_method_count, method_at},
-    {"figures", bl_figure_count, figure_at},
+    {"trades", bl_trade_count, trade_at},    {"figures", bl_figure_count, figure_at},
 };
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
@@ -121,8 +127,8 @@ static bl_status run_list(bl_call *call) {
     if (!found)
         return bl_report(
             &call->message, BL_USAGE,
-            "'%s' is not a list; use noises, primitives, filters, textures, views, methods or "
-            "figures%s%s%s",
+            "'%s' is not a list; use noises, primitives, filters, textures, views, methods, "
+            "trades or figures%s%s%s",
             word, near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
     json_t *object = bl_json_start(call);
     for (size_t i = 0; i < SECTIONS; i++) {
@@ -147,7 +153,8 @@ const bl_verb bl_verb_list = {
     .operands = "[KIND]",
     .summary = "what there is, by kind",
     .text =
-        "KIND is noises, primitives, filters, textures, views, methods (of sampling) or figures; "
+        "KIND is noises, primitives, filters, textures, views, methods (of sampling), trades or "
+        "figures; "
         "without it all of them are listed.",
     .most = 1,
     .output_help = "write the list to PATH instead of stdout",

@@ -47,10 +47,7 @@ _bandlimit() {
         ;;
     --view) COMPREPLY=($(compgen -W "$(_bandlimit_names views)" -- "$current")) ;;
     --filter) COMPREPLY=($(compgen -W "all $(_bandlimit_names methods)" -- "$current")) ;;
-    --trade)
-        COMPREPLY=($(compgen -W "kernel-table interpolation impulses precision octaves curve-form
-            step-filter texture-filter averages" -- "$current"))
-        ;;
+    --trade) COMPREPLY=($(compgen -W "$(_bandlimit_names trades)" -- "$current")) ;;
     --pixel) COMPREPLY=($(compgen -W "box gaussian" -- "$current")) ;;
     --cache) COMPREPLY=($(compgen -d -- "$current")) ;;
     --bits) COMPREPLY=($(compgen -W "8 16" -- "$current")) ;;
@@ -88,7 +85,7 @@ _bandlimit() {
     "") words=$verbs ;;
     list)
         options="--names"
-        words="noises primitives filters textures views methods figures"
+        words="noises primitives filters textures views methods trades figures"
         ;;
     show)
         options="--plot"

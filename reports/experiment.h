@@ -37,6 +37,7 @@ typedef struct bl_figure {
     const char *shows;    // a few sentences: what is drawn and how to read it
     const bl_term *terms; // ended by one without a name; NULL: none
     bl_status (*run)(bl_run *run, bl_message *message);
+    int timed; // the data hold times, so that a second run leaves other bytes
 } bl_figure;
 
 size_t bl_figure_count(void);

@@ -143,6 +143,7 @@ static void test_advise_agrees_with_its_exit_status(void **state) {
                      "--filter", "supersample:n=2");
         assert_string_equal(text_of(object, "schema"), "bandlimit.advise/1");
         assert_string_equal(text_of(object, "verdict"), cases[i].verdict);
+        assert_near(number_of(object, "exit_status"), cases[i].status, 0);
         assert_int_equal(json_is_null(json_object_get(object, "advice")), i);
         assert_int_equal(json_array_size(json_object_get(object, "rows")), 2);
         assert_near(number_of(json_object_get(object, "needs"), "least_width"), 0.3 * cos(M_PI / 9),

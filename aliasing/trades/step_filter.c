@@ -67,7 +67,8 @@ static bl_estimate leak_of(const bl_filter *filter) {
     return (bl_estimate){.value = 2 * half * sum / bare,
                          .lower = 2 * half * sum / bare,
                          .upper = (2 * half * sum + beyond) / bare,
-                         .level = 1};
+                         .level = 1,
+                         .samples = (CYCLES * PIECES - PIECES / 2) * BL_QUADRATURE_NODES};
 }
 
 // Places within two widths of the step, where filtered steps have work to do.
@@ -86,7 +87,7 @@ static bl_status add(const char *name, const bl_filter *filter, uint64_t seed,
     added->state = state;
     added->work = work;
     added->batch = BATCH;
-    added->error = filter ? leak_of(filter) : (bl_estimate){1, 1, 1, 1, 0};
+    added->error = filter ? leak_of(filter) : (bl_estimate){1, 1, 1, 1, 1};
     return BL_OK;
 }
 

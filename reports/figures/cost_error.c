@@ -80,13 +80,15 @@ static void claim_steps(bl_run *run, const bl_alternatives *all) {
     bl_make_claim(run, "bandlimit",
                   "A box of one sample removes nine tenths of what a step has beyond the Nyquist "
                   "frequency.",
-                  "by its response", "of the bare step's", 0, 0.1, find(all, "box")->error, NULL);
+                  "by its response", "of the bare step's", 0, 0.1, find(all, "box")->error,
+                  "nodes");
     bl_make_claim(
         run, "peachey2003, p. 64",
         "The smooth cubic step is a better filtered step than the linear one of the box: "
         "the leak of smoothstep over that of the box, both one sample wide.",
         "by their responses", "", 0, 1,
-        bl_exactly(find(all, "smoothstep")->error.value / find(all, "box")->error.value, 1), NULL);
+        bl_exactly(find(all, "smoothstep")->error.value / find(all, "box")->error.value, 1),
+        "nodes");
 }
 
 static void claim_forms(bl_run *run, const bl_alternatives *all) {
@@ -217,4 +219,5 @@ BL_FIGURE_DESCRIPTOR(cost_error) = {
         "with the others, against its error; both axes are logarithmic, and what has no error "
         "is not drawn. The dashed line joins the front: nothing else is both cheaper and "
         "better, as far as the intervals tell.",
-    .run = run_figure};
+    .run = run_figure,
+    .timed = 1};
