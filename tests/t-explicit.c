@@ -209,6 +209,39 @@ static void test_gaussian_amplitudes_have_the_target_in_the_mean(void **state) {
     check_gaussian("fourier:amplitudes=gaussian,spectrum=power,size=32", inverse_square);
 }
 
+// One harmonic at a quarter of the rate: numbers a quarter of a wave apart are its cosine and sine,
+// whose squares add up to its power. With fixed amplitudes that is one number; with gaussian ones
+// it is exponential about the same number. Kolmogorov's statistic of K powers is beyond d / sqrt K
+// with 2 exp(-2 d^2) at most.
+static void test_gaussian_amplitudes_have_exponential_powers(void **state) {
+    (void)state;
+    enum { SEEDS = 1000 };
+    const double start[BL_AXES] = {0}, step[BL_AXES] = {0.25};
+    static double powers[SEEDS];
+    bl_signal *fixed = open_signal("fourier:dims=1,from=1,to=1"),
+              *gaussian = open_signal("fourier:dims=1,from=1,to=1,amplitudes=gaussian");
+    float pair[2];
+    bl_signal_row(fixed, start, step, 2, pair);
+    double one = (double)pair[0] * (double)pair[0] + (double)pair[1] * (double)pair[1];
+    for (uint64_t seed = 0; seed < SEEDS; seed++) {
+        bl_signal *fresh = bl_signal_reseed(gaussian, 500 + seed);
+        bl_signal_row(fresh, start, step, 2, pair);
+        powers[seed] =
+            ((double)pair[0] * (double)pair[0] + (double)pair[1] * (double)pair[1]) / one;
+        bl_signal_free(fresh);
+    }
+    double largest = 0;
+    for (int i = 0; i < SEEDS; i++) {
+        double below = 0, here = 1 - exp(-powers[i]);
+        for (int j = 0; j < SEEDS; j++)
+            below += powers[j] < powers[i];
+        largest = fmax(largest, fmax(here - below / SEEDS, (below + 1) / SEEDS - here));
+    }
+    assert_less(largest, sqrt(log(2 / ERROR_RATE) / 2 / SEEDS));
+    bl_signal_free(fixed);
+    bl_signal_free(gaussian);
+}
+
 // --- a user's table -----------------------------------------------------------------------------
 
 static void write_table(const char *path, const char *text) {
@@ -671,6 +704,7 @@ int main(void) {
         cmocka_unit_test(test_fixed_amplitudes_have_the_target_spectrum),
         cmocka_unit_test(test_fixed_amplitudes_have_the_variance_exactly),
         cmocka_unit_test(test_gaussian_amplitudes_have_the_target_in_the_mean),
+        cmocka_unit_test(test_gaussian_amplitudes_have_exponential_powers),
         cmocka_unit_test(test_a_table_is_the_spectrum),
         cmocka_unit_test(test_a_bad_table_is_refused_by_its_line),
         cmocka_unit_test(test_downsampling_undoes_upsampling),
