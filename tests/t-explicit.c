@@ -209,6 +209,39 @@ static void test_gaussian_amplitudes_have_the_target_in_the_mean(void **state) {
     check_gaussian("fourier:amplitudes=gaussian,spectrum=power,size=32", inverse_square);
 }
 
+// One harmonic at a quarter of the rate: numbers a quarter of a wave apart are its cosine and sine,
+// whose squares add up to its power. With fixed amplitudes that is one number; with gaussian ones
+// it is exponential about the same number. Kolmogorov's statistic of K powers is beyond d / sqrt K
+// with 2 exp(-2 d^2) at most.
+static void test_gaussian_amplitudes_have_exponential_powers(void **state) {
+    (void)state;
+    enum { SEEDS = 1000 };
+    const double start[BL_AXES] = {0}, step[BL_AXES] = {0.25};
+    static double powers[SEEDS];
+    bl_signal *fixed = open_signal("fourier:dims=1,from=1,to=1"),
+              *gaussian = open_signal("fourier:dims=1,from=1,to=1,amplitudes=gaussian");
+    float pair[2];
+    bl_signal_row(fixed, start, step, 2, pair);
+    double one = (double)pair[0] * (double)pair[0] + (double)pair[1] * (double)pair[1];
+    for (uint64_t seed = 0; seed < SEEDS; seed++) {
+        bl_signal *fresh = bl_signal_reseed(gaussian, 500 + seed);
+        bl_signal_row(fresh, start, step, 2, pair);
+        powers[seed] =
+            ((double)pair[0] * (double)pair[0] + (double)pair[1] * (double)pair[1]) / one;
+        bl_signal_free(fresh);
+    }
+    double largest = 0;
+    for (int i = 0; i < SEEDS; i++) {
+        double below = 0, here = 1 - exp(-powers[i]);
+        for (int j = 0; j < SEEDS; j++)
+            below += powers[j] < powers[i];
+        largest = fmax(largest, fmax(here - below / SEEDS, (below + 1) / SEEDS - here));
+    }
+    assert_less(largest, sqrt(log(2 / ERROR_RATE) / 2 / SEEDS));
+    bl_signal_free(fixed);
+    bl_signal_free(gaussian);
+}
+
 // --- a user's table -----------------------------------------------------------------------------
 
 static void write_table(const char *path, const char *text) {
@@ -397,6 +430,66 @@ static double expected_share(const bl_signal *signal, double limit) {
                 below += hypot(v[0], v[1]) * tile->rate < limit ? power : 0;
             }
     return below / ((double)n * n * depth) / bl_wavelet_variance(tile);
+}
+
+// The largest sum of sizes in a row of the orthogonal projection of n quadratic B-splines onto n/2
+// of twice the width, by the normal equations: (U' G U)^-1 U' G of numbers, then U, where U has the
+// masks 1 3 3 1 over 4 and G, the products of splines, 1 26 66 26 1 over 120.
+static double gain_by_normal_equations(void) {
+    enum { N = 16, HALF = N / 2 };
+    static const double mask[] = {0.25, 0.75, 0.75, 0.25};
+    static const double gram[] = {1 / 120.0, 26 / 120.0, 66 / 120.0, 26 / 120.0, 1 / 120.0};
+    double u[N][HALF] = {{0}}, right[HALF][N] = {{0}}, left[HALF][HALF] = {{0}}, largest = 0;
+    for (int k = 0; k < HALF; k++)
+        for (int t = 0; t < 4; t++)
+            u[(2 * k + t) % N][k] += mask[t];
+    for (int k = 0; k < HALF; k++)
+        for (int i = 0; i < N; i++)
+            for (int t = 0; t < 5; t++)
+                right[k][i] += u[(i + t + N - 2) % N][k] * gram[t];
+    for (int k = 0; k < HALF; k++)
+        for (int m = 0; m < HALF; m++)
+            for (int i = 0; i < N; i++)
+                left[k][m] += right[k][i] * u[i][m];
+    for (int k = 0; k < HALF; k++) // Gauss and Jordan, of a positive definite matrix
+        for (int m = 0; m < HALF; m++) {
+            double factor = m == k ? 0 : left[m][k] / left[k][k];
+            for (int c = 0; c < HALF; c++)
+                left[m][c] -= factor * left[k][c];
+            for (int i = 0; i < N; i++)
+                right[m][i] -= factor * right[k][i];
+        }
+    for (int row = 0; row < N; row++) {
+        double sum = 0;
+        for (int i = 0; i < N; i++) {
+            double entry = 0;
+            for (int k = 0; k < HALF; k++)
+                entry += u[row][k] * right[k][i] / left[k][k];
+            sum += fabs(entry);
+        }
+        largest = fmax(largest, sum);
+    }
+    return largest;
+}
+
+// Numbers of variance 1 are at most 4 sqrt(3/4) in size; the deviation of what is left of them
+// stands in the tile, and t-facts measures it.
+static void test_the_bound_of_wavelet_is_that_of_the_projection(void **state) {
+    (void)state;
+    double gain = gain_by_normal_equations();
+    for (int dims = 2; dims <= 3; dims++)
+        for (int projected = 0; projected < dims - 1; projected++) { // of a volume alone
+            char text[80];
+            snprintf(text, sizeof text, "wavelet:dims=%d,size=16%s", dims,
+                     projected ? ",slice=projected" : "");
+            bl_signal *signal = open_signal(text);
+            double deviation = sqrt(bl_wavelet_variance(signal->parameters));
+            double wanted =
+                (projected ? 2 : 1) * 4 * sqrt(0.75) * (1 + pow(gain, dims)) / deviation;
+            assert_near(signal->facts.upper, wanted, 3e-5 * wanted); // 3.4642 for 3.46410
+            assert_near(signal->facts.lower, -wanted, 3e-5 * wanted);
+            bl_signal_free(signal);
+        }
 }
 
 // The power of slices below half a cycle a unit, over seeds and places z, against the formula; and
@@ -671,11 +764,13 @@ int main(void) {
         cmocka_unit_test(test_fixed_amplitudes_have_the_target_spectrum),
         cmocka_unit_test(test_fixed_amplitudes_have_the_variance_exactly),
         cmocka_unit_test(test_gaussian_amplitudes_have_the_target_in_the_mean),
+        cmocka_unit_test(test_gaussian_amplitudes_have_exponential_powers),
         cmocka_unit_test(test_a_table_is_the_spectrum),
         cmocka_unit_test(test_a_bad_table_is_refused_by_its_line),
         cmocka_unit_test(test_downsampling_undoes_upsampling),
         cmocka_unit_test(test_the_residual_is_orthogonal_to_the_coarse_splines),
         cmocka_unit_test(test_the_spectrum_of_the_residual),
+        cmocka_unit_test(test_the_bound_of_wavelet_is_that_of_the_projection),
         cmocka_unit_test(test_projected_slices_leak_less_below_half_a_cycle),
         cmocka_unit_test(test_midpoint_variance_by_covariances),
         cmocka_unit_test(test_additions_variance_by_hats),

@@ -9,6 +9,7 @@
 
 #include "core/random.h"
 #include "noises/lattice.h"
+#include "tests/float_error.h"
 #include "tests/texts.h"
 
 enum { DECADES = 49, PLACES = 32, BITS = 300 }; // 1e-30 to 1e18
@@ -34,9 +35,7 @@ static void test_floats_keep_their_tolerance_from_1e_minus_30_to_1e18(void **sta
     for (size_t n = 0; n < list->count; n++) {
         bl_random random = bl_random_seed(31, bl_test_stream(list->text[n]));
         bl_signal *signal = bl_test_open(list->text[n], BL_ISA_BEST);
-        double range = fmax(fabs(signal->facts.lower), fabs(signal->facts.upper));
-        // As in t-registry: 2^-24 is half a unit in the last place at 1, of which 32 may be spent.
-        double tolerance = 32 * 0x1p-24 * fmax(1, range);
+        double tolerance = bl_test_float_error(signal);
         double domain = bl_signal_domain(signal);
         for (int d = 0; d < DECADES; d++) {
             double at[PLACES][BL_AXES], column[BL_AXES][PLACES];

@@ -6,6 +6,7 @@
 #include "tests/test.h"
 
 #include "core/random.h"
+#include "tests/float_error.h"
 #include "tests/texts.h"
 
 enum { COUNT = 301 };
@@ -111,8 +112,7 @@ static void test_floats_agree_with_the_double_reference(void **state) {
     bl_random random = bl_random_seed(2, 0);
     for (size_t i = 0; i < list->count; i++) {
         bl_signal *signal = bl_test_open(list->text[i], BL_ISA_BEST);
-        // 2^-24 is half a unit in the last place at 1; the kernels may spend 32 of them.
-        double tolerance = 32 * 0x1p-24 * fmax(1, signal->facts.upper);
+        double tolerance = bl_test_float_error(signal), largest = 0;
         size_t lines = bl_test_scaled(64, 16); // by rows, then by points
         for (size_t line = 0; line < lines; line++) {
             float out[COUNT];
@@ -124,11 +124,14 @@ static void test_floats_agree_with_the_double_reference(void **state) {
                 for (int a = 0; a < BL_AXES; a++)
                     at[a] = start[a] + (double)k * step[a];
                 double expected = bl_signal_value(signal, at);
+                largest = fmax(largest, fabs(out[k] - expected));
                 if (!(fabs(out[k] - expected) <= tolerance))
                     fail_msg("%s at (%.17g, %.17g, %.17g): %.9g, reference %.9g", list->text[i],
                              at[0], at[1], at[2], (double)out[k], expected);
             }
         }
+        if (getenv("BL_TEST_VERBOSE"))
+            printf("%s: %.3g of the error allowed\n", list->text[i], largest / tolerance);
         bl_signal_free(signal);
     }
 }

@@ -9,6 +9,8 @@
 // the probability 1e-6 that it states.
 #include "tests/test.h"
 
+#include <gsl/gsl_cdf.h>
+
 #include "core/statistics.h"
 #include "score/score.h"
 #include "tests/broken.h"
@@ -247,6 +249,105 @@ static void test_good_noises_fail_as_rarely_as_alpha_says(void **state) {
     check_rate("scnoise", "isotropy", (unsigned)bl_test_scaled(20, 2));
 }
 
+// --- limits -------------------------------------------------------------------------------------
+
+static double number_of(const bl_score_property *found, const char *name) {
+    const bl_score_number *number = bl_score_find(found, name);
+    assert_non_null(number);
+    return number->estimate.value;
+}
+
+// The limit on deviates is that of Student's t at the share of alpha of one of some hundred tests,
+// and it is what decides.
+static void test_the_limit_of_deviates_is_students(void **state) {
+    (void)state;
+    const double share = 1e-6 / (double)bl_property_count();
+    static const char *const texts[] = {"scnoise", "gnoise", "spot"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        bl_signal *signal = bl_test_open(texts[i], BL_ISA_BEST);
+        bl_score_property found = quick(signal, "stationarity");
+        double limit = number_of(&found, "limit_deviate"), batches = 384;
+        double tests = share / (2 * gsl_cdf_tdist_Q(limit, batches - 1));
+        if (!(tests >= 10 && tests <= 1000))
+            fail_msg("%s: a limit of %g is that of %g tests", texts[i], limit, tests);
+        assert_near(tests, round(tests), 1e-4 * tests);
+        assert_true((found.verdict == BL_SCORE_FAIL) ==
+                    (fabs(number_of(&found, "largest_deviate")) > limit));
+        bl_signal_free(signal);
+    }
+}
+
+// A bin over the mean of its 128 neighbours, which are worth 48, is a number of Fisher's F with 2
+// and 96 degrees of freedom in white noise; each of the 2^13 bins of each axis has an equal share
+// of alpha. About half a cycle the limit is twice as large.
+static void test_the_limit_of_lines_is_fishers(void **state) {
+    (void)state;
+    static const char *const texts[] = {"gnoise", "scnoise", "vcnoise"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        bl_signal *signal = bl_test_open(texts[i], BL_ISA_BEST);
+        bl_score_property found = quick(signal, "period");
+        double share = 1e-6 / (double)bl_property_count() / signal->dimensions / 8192;
+        double limit = pow(
+            10,
+            (number_of(&found, "strongest_line_db") - number_of(&found, "line_to_limit_db")) / 10);
+        double one = gsl_cdf_fdist_Q(limit, 2, 96) / share,
+               half = gsl_cdf_fdist_Q(0.5 * limit, 2, 96) / share;
+        if (!(fabs(one - 1) < 1e-6 || fabs(half - 1) < 1e-6))
+            fail_msg("%s: a limit of %g has %g or %g of its share", texts[i], limit, one, half);
+        bl_signal_free(signal);
+    }
+}
+
+// A smooth wave with roofs along y = k + 0.6, up and down: its slope jumps by `jump` there.
+typedef struct roof {
+    const bl_signal *inner;
+    double jump;
+} roof;
+
+static double roof_value(const void *parameters, const double at[BL_AXES]) {
+    const roof *r = parameters;
+    double y = (at[1] - 0.6) / 2;
+    return bl_signal_value(r->inner, at) + r->jump * fabs(y - round(y)); // slopes of +-jump/2
+}
+
+static void roof_points(const void *parameters, const double *const at[BL_AXES], size_t count,
+                        float *out) {
+    for (size_t i = 0; i < count; i++) {
+        const double place[BL_AXES] = {at[0][i], at[1][i], at[2][i], at[3][i]};
+        out[i] = (float)roof_value(parameters, place);
+    }
+}
+
+static void roof_row(const void *parameters, const double start[BL_AXES],
+                     const double step[BL_AXES], size_t count, float *out) {
+    for (size_t i = 0; i < count; i++) {
+        double place[BL_AXES];
+        for (int a = 0; a < BL_AXES; a++)
+            place[a] = start[a] + (double)i * step[a];
+        out[i] = (float)roof_value(parameters, place);
+    }
+}
+
+// From 10^-3 of the deviation a cell on a jump of the slope counts.
+static void test_the_smallest_kink_that_counts_is_found(void **state) {
+    (void)state;
+    static const bl_signal_functions functions = {
+        .row = roof_row, .points = roof_points, .value = roof_value};
+    static const double jumps[] = {0.5e-3, 2e-3};
+    bl_signal *inner = bl_test_cosine(0, 1, (const double[]){0.11, 0.07, 0.03});
+    for (int i = 0; i < 2; i++) {
+        roof r = {inner, jumps[i] * M_SQRT1_2};
+        bl_signal *signal = bl_signal_new(&functions, &r, sizeof r, "roof");
+        assert_non_null(signal);
+        signal->dimensions = inner->dimensions;
+        signal->facts = bl_facts_unknown();
+        bl_score_property found = quick(signal, "continuity");
+        assert_near(number_of(&found, "class"), i == 0 ? 2 : 0, 0);
+        bl_signal_free(signal);
+    }
+    bl_signal_free(inner);
+}
+
 // --- what cannot be judged ----------------------------------------------------------------------
 
 static void check_not_run(bl_signal *signal) {
@@ -358,6 +459,9 @@ int main(void) {
         cmocka_unit_test(test_the_class_of_continuity_is_found),
         cmocka_unit_test(test_a_jump_is_found_with_its_place_and_size),
         cmocka_unit_test(test_good_noises_fail_as_rarely_as_alpha_says),
+        cmocka_unit_test(test_the_limit_of_deviates_is_students),
+        cmocka_unit_test(test_the_limit_of_lines_is_fishers),
+        cmocka_unit_test(test_the_smallest_kink_that_counts_is_found),
         cmocka_unit_test(test_what_cannot_be_judged_is_not_run),
         cmocka_unit_test(test_the_reach_ends_where_numbers_end),
         cmocka_unit_test(test_strange_signals_are_judged),
