@@ -28,6 +28,7 @@ enum {
     PLACES = 256,
     NEAR = 8,
     CELLS = 3,
+    MOST_CELLS = 48,
     FIRST = 3,
     LAST = 15,
     SCALES = LAST - FIRST + 1,
@@ -113,11 +114,12 @@ static view view_of(const bl_signal *signal, double far, unsigned axis, double c
     return v;
 }
 
-// Of several cells from `far` on: the best share, and the largest error.
+// Of several cells from `far` on: the best share, and the largest error. A sparse noise has cells
+// with next to nothing in them, so more are tried while none has the share that is wanted.
 static view best_view(const bl_signal *signal, double far, unsigned axis, double cell,
-                      bl_random random) {
+                      bl_random random, double wanted) {
     view best = {.is_finite = 1};
-    for (int k = 0; k < CELLS; k++) {
+    for (int k = 0; k < (best.share < wanted ? MOST_CELLS : CELLS); k++) {
         bl_random own = bl_random_seed(bl_random_bits(&random), (uint64_t)k);
         view v = view_of(signal, far + 7 * k * cell, axis, cell, own);
         best.share = fmax(best.share, v.share);
@@ -201,23 +203,26 @@ typedef struct summary {
 static summary summarise(const bl_signal *signal, const bl_score_settings *settings,
                          const bl_score_look *look, double least, double limit) {
     summary s = {.is_finite = 1, .reach = 100};
-    view views[SCALES + 2 + NEAR][BL_AXES];
-    unsigned axes = look->dimensions, count = (SCALES + 2 + NEAR) * axes;
-#pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)
-    for (unsigned n = 0; n < count; n++) {
-        unsigned index = n / axes, axis = n % axes;
-        double far = index < SCALES + 2 ? scale_of((int)index) : 7.0 * (index - SCALES) - 21;
-        bl_random random = bl_score_random(settings, BL_SCORE_STREAM_FAR, axis);
-        views[index][axis] = index < SCALES + 2 ? best_view(signal, far, axis, look->cell, random)
-                                                : view_of(signal, far, axis, look->cell, random);
-    }
+    view close[NEAR][BL_AXES], views[SCALES + 2][BL_AXES];
+    const unsigned axes = look->dimensions;
+    const int threads = bl_thread_count(settings->threads);
+#pragma omp parallel for num_threads(threads) schedule(dynamic)
+    for (unsigned n = 0; n < NEAR * axes; n++)
+        close[n / axes][n % axes] =
+            view_of(signal, 7.0 * (n / axes) - 7, n % axes, look->cell,
+                    bl_score_random(settings, BL_SCORE_STREAM_FAR, n % axes));
     double near = 1;
     for (unsigned axis = 0; axis < axes; axis++) {
         double best = 0;
         for (unsigned n = 0; n < NEAR; n++)
-            best = fmax(best, views[SCALES + 2 + n][axis].share);
+            best = fmax(best, close[n][axis].share);
         near = fmin(near, best);
     }
+#pragma omp parallel for num_threads(threads) schedule(dynamic)
+    for (unsigned n = 0; n < (SCALES + 2) * axes; n++)
+        views[n / axes][n % axes] =
+            best_view(signal, scale_of((int)(n / axes)), n % axes, look->cell,
+                      bl_score_random(settings, BL_SCORE_STREAM_FAR, n % axes), 0.5 * near);
     // A staircase has more steps in one cell than in the next.
     least = near < 0.9 ? fmin(least, 0.5) : least;
     for (unsigned i = 0; i < SCALES + 2; i++) {
