@@ -113,11 +113,10 @@ static void describe(const void *block, bl_facts *facts) {
     double rounding = 0x1p-20 * fmax(fabs(facts->lower), fabs(facts->upper));
     facts->lower -= rounding;
     facts->upper += rounding;
-    if (p->amount == 0 || p->seeing.filter == MEAN) {
+    if (p->amount == 0 || (p->seeing.filter == MEAN && p->seeing.width > 0)) {
         bl_texels_mean(p->texels, rgb);
         facts->mean = bl_colour_component(rgb, p->seeing.component);
-        facts->period[0] = facts->period[1] = 1;
-        facts->period[2] = 0;
+        facts->period[0] = facts->period[1] = facts->period[2] = 1; // along z it is constant
     }
     facts->far = 0x1p23;
 }
