@@ -39,4 +39,7 @@ void bl_texels_mean(const bl_texels *texels, double rgb[3]);
 void bl_texels_bounds(const bl_texels *texels, double least[3], double most[3]);
 void bl_texels_size(const bl_texels *texels, size_t size[2]);
 
+// Copies one component (0 to 2) of all texels, the upper row first, into size[0] * size[1] floats.
+void bl_texels_plane(const bl_texels *texels, int component, float *out);
+
 #endif

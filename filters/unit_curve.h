@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Monotone curves from the unit interval to itself, which gamma, bias and gain are made of: a power
-// of x, and the ratio of two lines that Schlick (1994) puts in the place of bias.
+// of x, and the ratio of two lines that Schlick (1994) puts in the place of bias; and the cubic of
+// smoothstep.
 #ifndef BL_FILTERS_UNIT_CURVE_H
 #define BL_FILTERS_UNIT_CURVE_H
 
@@ -24,5 +25,15 @@ double bl_unit_curve_value(const bl_unit_curve *curve, double x);
 // Its mean over [from, from + length] within [0, 1]: an exact integral, in forms that keep their
 // digits at any length; the value for length 0. Pure.
 double bl_unit_curve_mean(const bl_unit_curve *curve, double from, double length);
+
+// Smoothstep between 0 and 1, u^2 (3 - 2 u), clamped outside; NaN for NaN.
+static inline double bl_unit_smoothstep(double u) {
+    return u <= 0 ? 0 : u >= 1 ? 1 : u * u * (3 - 2 * u);
+}
+
+// Its integral from 0 up to u in [0, 1]; 1/2 over all of it.
+static inline double bl_unit_smoothstep_integral(double u) {
+    return u * u * u * (1 - 0.5 * u);
+}
 
 #endif

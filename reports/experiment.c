@@ -158,7 +158,7 @@ static void keep_picture(bl_run *run, const char *name, const bl_plot *plot,
     bl_run_picture *kept = &run->plots[run->plot_count++];
     *kept = (bl_run_picture){.name = keep(run, strdup(name)),
                              .text = keep(run, strdup(alternative)),
-                             .title = keep(run, strdup(plot->title))};
+                             .title = keep(run, strdup(plot->title ? plot->title : ""))};
     const bl_panel *panel = bl_plot_legend(plot);
     for (size_t i = 0; i < panel->series_count && kept->key_count < BL_KEYS; i++)
         if (panel->series[i].label)

@@ -799,3 +799,9 @@ extern "C" void bl_texels_size(const bl_texels *texels, size_t size[2]) {
     size[0] = texels->picture.width;
     size[1] = texels->picture.height;
 }
+
+extern "C" void bl_texels_plane(const bl_texels *texels, int component, float *out) {
+    const std::vector<float> &rgb = texels->picture.rgb;
+    for (size_t i = static_cast<size_t>(component); i < rgb.size(); i += 3)
+        *out++ = rgb[i];
+}

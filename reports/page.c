@@ -36,7 +36,9 @@ static void put_key(FILE *out, const bl_run_picture *plot) {
         [BL_STROKE_LINE] = "line", [BL_STROKE_THIN] = "line",     [BL_STROKE_DASHED] = "dash",
         [BL_STROKE_BAND] = "band", [BL_STROKE_POINTS] = "points",
     };
-    bl_html_tagged(out, "<p class=\"key\"><b>", plot->title, "</b>");
+    fputs("<p class=\"key\">", out);
+    if (plot->title[0])
+        bl_html_tagged(out, "<b>", plot->title, "</b>");
     for (size_t i = 0; i < plot->key_count; i++) {
         const bl_run_key *key = &plot->keys[i];
         fprintf(out, " <span><i class=\"%s\" style=\"color:%s\"></i>", shapes[key->stroke],

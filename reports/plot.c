@@ -49,7 +49,7 @@ static layout lay_out(const bl_plot *plot) {
 // A text in gnuplot's single quotes, where only the quote itself is special.
 static void put_text(FILE *out, const char *text) {
     fputc('\'', out);
-    for (; *text; text++) {
+    for (; text && *text; text++) {
         if (*text == '\'')
             fputc('\'', out);
         fputc(*text == '\n' ? ' ' : *text, out);
@@ -69,7 +69,7 @@ static void put_head(FILE *out, const bl_plot *plot, const layout *l, const char
             "# %s\n"
             "# Run it in this folder: gnuplot %s.gp\n"
             "# It makes %s.svg and .png%s from the data files beside it.\n",
-            plot->title, name, name, with_pdf ? " and .pdf" : "");
+            plot->title ? plot->title : "", name, name, with_pdf ? " and .pdf" : "");
     fprintf(out,
             "if (!exists('prefix')) prefix = ''\n"
             "set encoding utf8\n"
@@ -307,7 +307,7 @@ static void put_panel(FILE *out, const bl_plot *plot, const layout *l, size_t in
     char letter[32];
     snprintf(letter, sizeof letter, "(%c%.0zu) ", (int)('a' + index % 26), index / 26);
     char title[160];
-    shorten(title, sizeof title, panel->title,
+    shorten(title, sizeof title, panel->title ? panel->title : "",
             (size_t)(l->panel_width / TITLE_LETTER) - strlen(letter));
     fputs("set label ", out);
     put_text(out, letter);

@@ -50,11 +50,11 @@ typedef struct bl_series {
 typedef struct bl_limit {
     int vertical; // at a value of x; else of y
     double at;
-    const char *label; // in the first panel
+    const char *label; // in the first panel; NULL: none
 } bl_limit;
 
 typedef struct bl_panel {
-    const char *title; // after its letter: "vnoise"
+    const char *title; // after its letter: "vnoise"; NULL: the letter alone
     const bl_series *series;
     size_t series_count;
     const char *image; // or a grey PNG file, shown with the scale black to white; its upper left
@@ -62,7 +62,7 @@ typedef struct bl_panel {
 } bl_panel;
 
 typedef struct bl_axis {
-    const char *label; // the name and the unit
+    const char *label; // the name and the unit; NULL: none
     double from, to;   // both 0: chosen by gnuplot, apart in each panel if the data differ
     double tick;       // distance of the numbers (a factor where it is logarithmic); 0: chosen
                        // by gnuplot
@@ -70,7 +70,7 @@ typedef struct bl_axis {
 } bl_axis;
 
 typedef struct bl_plot {
-    const char *title; // the question that it answers
+    const char *title; // the question that it answers; NULL: none
     bl_axis x, y;
     const bl_panel *panels;
     size_t panel_count;

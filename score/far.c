@@ -13,8 +13,9 @@
 // Judged against facts.far, where it is stated: values stay distinct, by nine tenths of what they
 // are near 0, in every cell up to a quarter of it. Else against the ideal: by one half up to 10^6.
 // A value that is not a number is none of the distinct ones, so the reach ends where they end.
-// In both cases the variance near 10^6 must be within 20 % of that near 0; its test, Student's t
-// over batches of a fresh seed each, has the whole alpha.
+// A function of the registries that neither repeats nor has a seed is judged only against
+// facts.far. In both cases the variance near 10^6 must be within 20 % of that near 0; its test,
+// Student's t over batches of a fresh seed each, has the whole alpha.
 #include "score/places.h"
 
 #include <math.h>
@@ -283,6 +284,9 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     bl_estimate shown = {.value = NAN}, judged = shown;
     if (!bl_score_look_at(subject, settings, result, &look) ||
         !bl_score_varies(signal, settings, result))
+        return BL_OK;
+    // A step is level far out and has limits: no digits are lost there, and nothing is like near 0.
+    if (!(signal->facts.far > 0) && !bl_score_has_statistics(signal, result))
         return BL_OK;
     int is_stated = signal->facts.far > 0;
     double limit = is_stated ? signal->facts.far / 4 : FAR_PLACE;

@@ -102,6 +102,14 @@ int bl_score_varies(const bl_signal *signal, const bl_score_settings *settings,
     return 0;
 }
 
+int bl_score_has_statistics(const bl_signal *signal, bl_score_property *result) {
+    bl_message message = {""};
+    if (bl_signal_check_statistics(signal, &message) == BL_OK)
+        return 1;
+    bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "%s", message.text);
+    return 0;
+}
+
 void bl_score_not_finite(bl_score_property *result) {
     bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
                    "the signal has values that are not finite");

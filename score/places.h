@@ -48,6 +48,11 @@ int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *s
 int bl_score_varies(const bl_signal *signal, const bl_score_settings *settings,
                     bl_score_property *result);
 
+// Whether places far from each other are alike, over seeds or over periods. Returns 0 for a
+// function of the registries that neither repeats nor has a seed, and judges "not run" with that
+// reason.
+int bl_score_has_statistics(const bl_signal *signal, bl_score_property *result);
+
 // Judges "not run" for a signal whose values were not finite somewhere.
 void bl_score_not_finite(bl_score_property *result);
 

@@ -13,7 +13,8 @@
 //            and near 10^5, against their average: what happens once, and not in every cell
 //
 // and each of these numbers, which is 0 over seeds if the signal is stationary, is tested by
-// Student's t over the batches; all tests of a signal share alpha.
+// Student's t over the batches; all tests of a signal share alpha. A function of the registries
+// without a seed is not random: over its own cells it may be the same number in every batch.
 #include "score/places.h"
 
 #include <math.h>
@@ -260,7 +261,11 @@ static void judge(const survey *s, const batch *b, size_t count, const bl_score_
     bl_score_add_seen(result, "limit_deviate", limit);
     snprintf(result->cell, sizeof result->cell, "%.2g dB", ratio);
     describe(s, worst / 2, worst % 2, what, sizeof what);
-    if (fabs(largest) > limit)
+    if (isinf(largest)) // a seed that changes nothing, and cells that are all alike
+        bl_score_judge(result, BL_SCORE_FAIL, against,
+                       "%s is the same number in every batch, %s that of all places", what,
+                       largest > 0 ? "above" : "below");
+    else if (fabs(largest) > limit)
         bl_score_judge(result, BL_SCORE_FAIL, against, "%s deviates by %.1f standard errors", what,
                        largest);
     else
@@ -276,6 +281,14 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     if (!bl_score_look_at(subject, settings, result, &look) ||
         !bl_score_varies(subject->signal, settings, result))
         return BL_OK;
+    if (!bl_score_has_statistics(subject->signal, result))
+        return BL_OK;
+    if (subject->signal->definition && subject->signal->seed_offset == SIZE_MAX) {
+        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+                       "the signal has no seed: it is one function, whose value at a place of the "
+                       "cell is not random");
+        return BL_OK;
+    }
     size_t count = (size_t)bl_score_pick(settings, 384, 1536, 16384);
     survey s = survey_of(subject->signal, &look);
     batch *batches = malloc(count * sizeof *batches);

@@ -56,6 +56,21 @@ static void test_a_plot_has_letters_titles_legend_and_limits(void **state) {
     free(svg);
 }
 
+static void test_a_plot_needs_no_title_on_itself_its_axes_or_its_panels(void **state) {
+    (void)state;
+    static const bl_panel bare[] = {{NULL, series, 2, NULL}, {"second", series, 2, NULL}};
+    bl_plot plot = example();
+    plot.title = plot.x.label = plot.y.label = NULL;
+    plot.panels = bare;
+    plot.panel_count = 2;
+    char *svg = draw(&plot, "bare", 0);
+    assert_non_null(svg);
+    assert_non_null(strstr(svg, "(a) <"));
+    assert_non_null(strstr(svg, "(b) second"));
+    assert_null(strstr(svg, "null"));
+    free(svg);
+}
+
 static void test_the_legend_is_that_of_the_panel_with_the_most_series(void **state) {
     (void)state;
     static const bl_panel poor_first[] = {
@@ -142,6 +157,7 @@ static void test_the_colours_of_the_palette_differ(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_plot_has_letters_titles_legend_and_limits),
+        cmocka_unit_test(test_a_plot_needs_no_title_on_itself_its_axes_or_its_panels),
         cmocka_unit_test(test_the_legend_is_that_of_the_panel_with_the_most_series),
         cmocka_unit_test(test_a_plot_is_the_same_bytes_every_time),
         cmocka_unit_test(test_the_script_runs_by_hand_in_its_folder),

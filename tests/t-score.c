@@ -8,6 +8,7 @@
 #include <stdatomic.h>
 
 #include "noises/noise.h"
+#include "reports/source.h"
 #include "score/score.h"
 #include "spectra/psd.h"
 #include "tests/broken.h"
@@ -613,6 +614,36 @@ static void test_what_is_constant_for_each_seed_is_not_judged(void **state) {
     }
 }
 
+// What is neither random nor alike far out has no deviates, and no digits to lose there.
+static void test_a_function_without_a_seed_is_not_judged_as_random(void **state) {
+    (void)state;
+    static const char *const texts[] = {"step", "bias", "mod", "sine", "pulse:low=0.2,high=0.7"};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        bl_signal *signal = NULL;
+        bl_message message = {""};
+        if (bl_source_open(texts[i], BL_ISA_BEST, &signal, &message) != BL_OK)
+            fail_msg("%s: %s", texts[i], message.text);
+        bl_score_property result = measure("stationarity", signal);
+        expect(&result, texts[i], BL_SCORE_NOT_RUN, i < 2 ? "neither repeats" : "one function");
+        result = measure("far", signal);
+        expect(&result, texts[i], i < 2 ? BL_SCORE_NOT_RUN : BL_SCORE_PASS, "");
+        result = measure("range", signal);
+        expect(&result, texts[i], BL_SCORE_PASS, "");
+        bl_signal_free(signal);
+    }
+}
+
+// A picture that no noise moves has a seed that does nothing, and the same texels in every cell.
+static void test_a_seed_that_does_nothing_gives_words_and_no_infinite_deviate(void **state) {
+    (void)state;
+    bl_signal *signal = NULL;
+    bl_message message = {""};
+    assert_int_equal(bl_source_open("image:amount=0", BL_ISA_BEST, &signal, &message), BL_OK);
+    bl_score_property result = measure("stationarity", signal);
+    expect(&result, "image", BL_SCORE_FAIL, "is the same number in every batch");
+    bl_signal_free(signal);
+}
+
 static void test_the_edges_of_a_known_band_are_found(void **state) {
     (void)state;
     bl_signal *cosine = bl_test_cosine(0, 1, (const double[]){0.5, 0, 0});
@@ -735,6 +766,8 @@ int main(void) {
         cmocka_unit_test(test_a_band_without_a_number_for_its_leak_is_judged),
         cmocka_unit_test(test_a_signal_without_numbers_fails),
         cmocka_unit_test(test_what_is_constant_for_each_seed_is_not_judged),
+        cmocka_unit_test(test_a_function_without_a_seed_is_not_judged_as_random),
+        cmocka_unit_test(test_a_seed_that_does_nothing_gives_words_and_no_infinite_deviate),
         cmocka_unit_test(test_the_edges_of_a_known_band_are_found),
         cmocka_unit_test(test_a_grid_is_measured_on_its_samples),
         cmocka_unit_test(test_mean_and_variance_fail_as_often_as_alpha_says),

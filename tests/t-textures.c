@@ -7,6 +7,7 @@
 #include "tests/test.h"
 
 #include "core/random.h"
+#include "filters/filter.h"
 #include "noises/noise.h"
 #include "reports/image.h"
 #include "reports/source.h"
@@ -385,21 +386,21 @@ static void test_exact_filters_add_up(void **state) {
 }
 
 typedef struct plate {
-    double centre, sigma;
+    double centre, width;
     int sine;
 } plate;
 
 static double plate_part(double u, void *context) {
     const plate *p = context;
-    double phase = M_PI * 100 * u * u, t = (u - p->centre) / p->sigma;
-    return (p->sine ? sin(phase) : cos(phase)) * exp(-0.5 * t * t) / (p->sigma * sqrt(2 * M_PI));
+    double phase = M_PI * 100 * u * u, t = (u - p->centre) / p->width;
+    return (p->sine ? sin(phase) : cos(phase)) * bl_filter_find("gaussian")->kernel(t) / p->width;
 }
 
 static double plate_integral(plate p) {
     enum { STEPS = 4000 };
-    double sum = 0, step = 16 * p.sigma / STEPS; // of a smooth function that vanishes at the ends
+    double sum = 0, step = 8 * p.width / STEPS; // of a smooth function that vanishes at the ends
     for (int i = 0; i <= STEPS; i++)
-        sum += step * plate_part(p.centre - 8 * p.sigma + i * step, &p);
+        sum += step * plate_part(p.centre - 4 * p.width + i * step, &p);
     return sum;
 }
 
@@ -408,7 +409,7 @@ static void test_the_plate_under_a_gaussian(void **state) {
     bl_signal *signal = open_signal("zoneplate:filter=gaussian");
     for (int i = 0; i < 20; i++) {
         double s = 0.07 * i, t = 0.3 - 0.02 * i, width = 0.004 * (i + 1);
-        plate x = {s, 0.5 * width, 0}, y = {t, 0.5 * width, 0}, x1 = x, y1 = y;
+        plate x = {s, width, 0}, y = {t, width, 0}, x1 = x, y1 = y;
         x1.sine = y1.sine = 1;
         double expected =
             plate_integral(x) * plate_integral(y) - plate_integral(x1) * plate_integral(y1);
@@ -822,6 +823,62 @@ static void test_a_picture_shows_its_ramp(void **state) {
     check_ramp(write_ramp("ramp.png", 1), 2e-4); // 16 bits of sRGB, decoded
 }
 
+// Against the sum over all texels, each with the part of the box that it holds. The picture
+// repeats.
+static double box_sum(const float *plane, const size_t size[2], const double at[2],
+                      const double width[2]) {
+    double weight[2][64] = {{0}}, sum = 0;
+    for (int a = 0; a < 2; a++) {
+        double texels = (double)size[a], middle = (a ? -at[a] : at[a]) * texels;
+        double from = middle - 0.5 * width[a] * texels, to = middle + 0.5 * width[a] * texels;
+        for (double i = floor(from); i < to; i++) {
+            double column = i - texels * floor(i / texels);
+            weight[a][(int)column] += (fmin(to, i + 1) - fmax(from, i)) / (to - from);
+        }
+    }
+    for (size_t j = 0; j < size[1]; j++)
+        for (size_t i = 0; i < size[0]; i++)
+            sum += weight[0][i] * weight[1][j] * (double)plane[size[0] * j + i];
+    return sum;
+}
+
+static void test_the_tables_of_a_picture_give_the_mean_of_any_box(void **state) {
+    (void)state;
+    enum { WIDTH = 37, HEIGHT = 23 };
+    static float values[3 * WIDTH * HEIGHT], plane[3][WIDTH * HEIGHT];
+    const size_t size[2] = {WIDTH, HEIGHT};
+    bl_random random = bl_random_seed(31, 0);
+    for (size_t i = 0; i < 3 * WIDTH * HEIGHT; i++)
+        plane[i % 3][i / 3] = values[i] = (float)bl_random_unit(&random);
+    const bl_image image = {
+        .width = WIDTH, .height = HEIGHT, .channels = 3, .values = values, .white = 1, .bits = 16};
+    bl_message message = {""};
+    char text[1200];
+    const char *path = bl_temporary_path("texels.exr");
+    if (bl_image_write(path, &image, &message) != BL_OK)
+        fail_msg("%s", message.text);
+    snprintf(text, sizeof text, "image:path=%s,amount=0,filter=sat", path);
+    bl_signal *signal = open_signal(text);
+    for (int b = 0; b < 400; b++) {
+        double at[BL_AXES] = {0}, width[BL_AXES] = {0}, rgb[3];
+        for (int a = 0; a < 2; a++) {
+            at[a] = 6 * bl_random_unit(&random) - 3;
+            width[a] = 2.5 * exp2(-9 * bl_random_unit(&random));
+        }
+        bl_signal_colour(signal, at, width, rgb);
+        for (int c = 0; c < 3; c++)
+            assert_near(rgb[c], box_sum(plane[c], size, at, width), 1e-11);
+    }
+    // Endless along s: the mean of a row of texels.
+    double row = 0, rgb[3];
+    for (size_t i = 0; i < WIDTH; i++)
+        row += (double)plane[1][4 * WIDTH + i] / WIDTH;
+    bl_signal_colour(signal, (const double[BL_AXES]){0.3, -4.5 / HEIGHT},
+                     (const double[BL_AXES]){INFINITY, 1.0 / HEIGHT}, rgb);
+    assert_near(rgb[1], row, 1e-12);
+    bl_signal_free(signal);
+}
+
 static void test_a_picture_that_is_not_there(void **state) {
     (void)state;
     bl_signal *signal = NULL;
@@ -878,6 +935,7 @@ int main(void) {
         cmocka_unit_test(test_the_sky_is_averaged_over_altitudes),
         cmocka_unit_test(test_marble_keeps_its_mean_by_its_map),
         cmocka_unit_test(test_a_picture_shows_its_ramp),
+        cmocka_unit_test(test_the_tables_of_a_picture_give_the_mean_of_any_box),
         cmocka_unit_test(test_a_picture_that_is_not_there),
         cmocka_unit_test(test_the_perturbation_is_that_of_the_noise),
     };

@@ -44,7 +44,7 @@ static const char *const filter_words[] = {"none", "slope", "fade", NULL};
 
 static double profile(double edge, double x) {
     x -= floor(x);
-    return bl_smooth(0, edge, x) - bl_smooth(1 - edge, 1, x);
+    return bl_unit_smoothstep(x / edge) - bl_unit_smoothstep((x - (1 - edge)) / edge);
 }
 
 static double profile_slope(double edge, double x) {
@@ -53,12 +53,12 @@ static double profile_slope(double edge, double x) {
     return u < 1 ? sign * 6 * u * (1 - u) / edge : 0;
 }
 
-// The integral of the profile from 0 to x in [0, 1]: that of smoothstep over u is u^3 - u^4/2.
+// The integral of the profile from 0 to x in [0, 1].
 static double profile_part(double edge, double x) {
     if (x < edge)
-        return edge * (x / edge) * (x / edge) * (x / edge) * (1 - 0.5 * x / edge);
+        return edge * bl_unit_smoothstep_integral(x / edge);
     double u = x > 1 - edge ? (x - (1 - edge)) / edge : 0;
-    return x - 0.5 * edge - edge * u * u * u * (1 - 0.5 * u);
+    return x - 0.5 * edge - edge * bl_unit_smoothstep_integral(u);
 }
 
 static double profile_integral(double edge, double x) {

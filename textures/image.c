@@ -13,23 +13,28 @@
 //   filter   none    linear between the four nearest texels
 //            mip     between two levels of a pyramid of box means, for the larger width
 //            anisotropic   several such lookups along the larger width
+//            sat     the mean of the box of the sample's widths, from summed-area tables of the
+//                    texels, each a square of one colour: exact for any box, 24 bytes a texel
 //            mean    the mean of the picture for every width above 0
 //   width, component   see textures/texture.h
 //
 // The picture spans the unit square, t upwards, and repeats. What a sample of the picture is as
 // wide as follows from the derivatives of (s', t'), if the noise has a gradient; else from the
-// width as if nothing was moved. Lookups are OpenImageIO's, in float; its pyramid is wide for its
-// width, so that it blurs rather than aliases.
+// width as if nothing was moved. Lookups but those in tables are OpenImageIO's, in float; its
+// pyramid is wide for its width, so that it blurs rather than aliases. Without any width sat looks
+// between four texels as none does; with one it is the texel itself along an axis without.
 //
 // Bound: the least and the largest texel, give or take float rounding. Mean: of the texels, for
 // amount 0. Period: 1 for amount 0. NaN and infinite places give NaN; beyond 2^23 units nothing is
 // left of a texel's place.
 //
-// Source: peachey2003, section Perturbed Image Textures. Deviation: f, which the text leaves to the
-// size of the object.
+// Source: peachey2003, section Perturbed Image Textures; crow1984 (sat). Deviation: f, which the
+// text leaves to the size of the object.
 #include <math.h>
+#include <stdlib.h>
 
 #include "core/texels.h"
+#include "filters/summed_area.h"
 #include "textures/noise_source.h"
 #include "textures/sampling.h"
 
@@ -38,11 +43,12 @@ typedef struct image_parameters {
     bl_noise_source noise;
     double amount, frequency;
     bl_seeing seeing;
-    bl_texels *texels; // made on opening
+    bl_texels *texels;        // made on opening
+    bl_summed_area *table[3]; // of each component, made on opening; only of filter sat
 } image_parameters;
 
-enum { NONE, MIP, ANISOTROPIC, MEAN }; // the first three as bl_texels_reading
-static const char *const filter_words[] = {"none", "mip", "anisotropic", "mean", NULL};
+enum { NONE, MIP, ANISOTROPIC, SAT, MEAN }; // the first three as bl_texels_reading
+static const char *const filter_words[] = {"none", "mip", "anisotropic", "sat", "mean", NULL};
 
 // Moves the place, and stretches the widths by the derivatives of the movement: a box of widths
 // (w_s, w_t, w_z) becomes one of sum over a of |d s'/d a| w_a.
@@ -63,44 +69,87 @@ static void move(const image_parameters *p, const double at[BL_AXES], const doub
     }
 }
 
+// t upwards, rows downwards.
+static void look_in_tables(const image_parameters *p, const double place[2], const double span[2],
+                           double rgb[3]) {
+    size_t size[2];
+    bl_texels_size(p->texels, size);
+    double columns = (double)size[0], rows = (double)size[1];
+    const double box[2] = {span[0] * columns, span[1] * rows};
+    for (int c = 0; c < 3; c++)
+        rgb[c] = bl_summed_area_mean(p->table[c], (place[0] - floor(place[0])) * columns,
+                                     (ceil(place[1]) - place[1]) * rows, box);
+}
+
+// How the library looks, which has no word for `sat` without a width and for `mean`.
+static bl_texels_reading reading_of(uint32_t filter) {
+    return filter < SAT ? (bl_texels_reading)filter : BL_TEXELS_POINT;
+}
+
 static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
                    double rgb[3]) {
     const image_parameters *p = block;
     double widest = bl_widest(width, 3), place[2] = {at[0], at[1]}, span[2] = {width[0], width[1]};
     bl_colour seen = bl_colour_missing;
+    int is_exact = p->seeing.filter == SAT && p->amount == 0; // of a box that is endless one way
     if (!bl_is_place(at, 3) || isnan(widest)) {
     } else if (bl_is_all(width, 3) || (p->seeing.filter == MEAN && widest > 0) ||
-               (isinf(widest) && p->seeing.filter != NONE)) {
+               (isinf(widest) && p->seeing.filter != NONE && !is_exact)) {
         bl_texels_mean(p->texels, seen.rgb);
     } else {
         if (p->amount > 0)
             move(p, at, p->seeing.filter == NONE ? (const double[BL_AXES]){0} : width, place, span);
-        bl_texels_look(p->texels, place[0], place[1], span[0], span[1],
-                       p->seeing.filter == MEAN ? BL_TEXELS_POINT
-                                                : (bl_texels_reading)p->seeing.filter,
-                       seen.rgb);
+        if (p->seeing.filter == SAT && fmax(span[0], span[1]) > 0)
+            look_in_tables(p, place, span, seen.rgb);
+        else
+            bl_texels_look(p->texels, place[0], place[1], span[0], span[1],
+                           reading_of(p->seeing.filter), seen.rgb);
     }
     bl_colour_put(seen, rgb);
 }
 
 BL_TEXTURE_ABILITIES(image_parameters)
 
-static bl_status build(void *block, bl_message *message) {
-    image_parameters *p = block;
-    bl_status status = bl_noise_source_open(&p->noise, p->noise.text, 3, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_texels_open(p->path, &p->texels, message);
-    if (status != BL_OK)
-        bl_noise_source_close(&p->noise);
+static bl_status make_tables(image_parameters *p, bl_message *message) {
+    size_t size[2];
+    bl_texels_size(p->texels, size);
+    float *plane = malloc(size[0] * size[1] * sizeof *plane);
+    bl_status status = plane ? BL_OK
+                             : bl_report(message, BL_DEVICE, "out of memory for %zu by %zu texels",
+                                         size[0], size[1]);
+    for (int c = 0; c < 3 && status == BL_OK; c++) {
+        bl_texels_plane(p->texels, c, plane);
+        status = bl_summed_area_make(plane, size[0], size[1], BL_SUMS_DOUBLE, BL_WRAPPED,
+                                     &p->table[c], message);
+    }
+    free(plane);
     return status;
 }
 
 static void release(void *block) {
     image_parameters *p = block;
+    for (int c = 0; c < 3; c++) {
+        bl_summed_area_free(p->table[c]);
+        p->table[c] = NULL;
+    }
     bl_texels_close(p->texels);
     p->texels = NULL;
     bl_noise_source_close(&p->noise);
+}
+
+static bl_status build(void *block, bl_message *message) {
+    image_parameters *p = block;
+    p->texels = NULL;
+    p->table[0] = p->table[1] = p->table[2] = NULL;
+    bl_status status = bl_noise_source_open(&p->noise, p->noise.text, 3, message);
+    if (status != BL_OK)
+        return status;
+    status = bl_texels_open(p->path, &p->texels, message);
+    if (status == BL_OK && p->seeing.filter == SAT)
+        status = make_tables(p, message);
+    if (status != BL_OK)
+        release(p);
+    return status;
 }
 
 static void describe(const void *block, bl_facts *facts) {
@@ -113,11 +162,10 @@ static void describe(const void *block, bl_facts *facts) {
     double rounding = 0x1p-20 * fmax(fabs(facts->lower), fabs(facts->upper));
     facts->lower -= rounding;
     facts->upper += rounding;
-    if (p->amount == 0 || p->seeing.filter == MEAN) {
+    if (p->amount == 0 || (p->seeing.filter == MEAN && p->seeing.width > 0)) {
         bl_texels_mean(p->texels, rgb);
         facts->mean = bl_colour_component(rgb, p->seeing.component);
-        facts->period[0] = facts->period[1] = 1;
-        facts->period[2] = 0;
+        facts->period[0] = facts->period[1] = facts->period[2] = 1; // along z it is constant
     }
     facts->far = 0x1p23;
 }

@@ -8,6 +8,7 @@
 
 #include "core/signal.h"
 #include "filters/filter.h"
+#include "filters/unit_curve.h"
 
 extern const bl_filter bl_filter_box;
 
@@ -48,12 +49,7 @@ static inline double bl_edge_step(bl_edge edge, double distance, double width) {
     if (edge == BL_EDGE_SHARP || width == 0)
         return isnan(distance) ? NAN : distance >= 0;
     double x = bl_filter_box.step(distance / width);
-    return edge == BL_EDGE_SMOOTHSTEP ? x * x * (3 - 2 * x) : x;
-}
-
-static inline double bl_smooth(double from, double to, double x) { // smoothstep, from < to
-    double u = x <= from ? 0 : x >= to ? 1 : (x - from) / (to - from);
-    return u * u * (3 - 2 * u);
+    return edge == BL_EDGE_SMOOTHSTEP ? bl_unit_smoothstep(x) : x;
 }
 
 #endif

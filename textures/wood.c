@@ -47,15 +47,15 @@ static const bl_colour early = {{0.55, 0.30, 0.12}}, late = {{0.22, 0.09, 0.03}}
 
 static double ring(double r) {
     r -= floor(r);
-    return bl_smooth(0, RISE, r) - bl_smooth(RISE, 1, r);
+    return bl_unit_smoothstep(r / RISE) - bl_unit_smoothstep((r - RISE) / (1 - RISE));
 }
 
-// The integral from 0; smoothstep has the integral u^3 - u^4/2, and 1/2 over all of it.
+// The integral from 0.
 static double ring_integral(double r) {
     double whole = floor(r), part = r - whole;
     double u = fmin(part / RISE, 1), v = part > RISE ? (part - RISE) / (1 - RISE) : 0;
-    return 0.5 * whole + RISE * u * u * u * (1 - 0.5 * u) +
-           (1 - RISE) * (v - v * v * v * (1 - 0.5 * v));
+    return 0.5 * whole + RISE * bl_unit_smoothstep_integral(u) +
+           (1 - RISE) * (v - bl_unit_smoothstep_integral(v));
 }
 
 static double ring_average(double r, double width) {

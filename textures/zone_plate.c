@@ -10,7 +10,8 @@
 //            fade     the contrast goes to 0 between half the Nyquist limit of the width and the
 //            limit,
 //                     by the frequency k r of the place
-//            gaussian exact average under a Gaussian of standard deviation width/2 along each axis:
+//            gaussian exact average under the filter `gaussian` (filters/gaussian.c), of standard
+//                     deviation sigma = width/2 along each axis:
 //                     cos is the real part of e(s) e(t), and each e becomes
 //                     exp(i pi k s^2 / d) / sqrt(d),  d = 1 - 2 pi i k sigma^2
 //            exact    the box average: each e becomes a difference of Fresnel integrals over the
@@ -84,7 +85,7 @@ static double complex fresnel_between(double a, double b) {
 
 // The average of exp(i pi k x^2) for a sample of this width.
 static double complex wave(const zone_plate_parameters *p, double x, double width) {
-    double scale = sqrt(2 * p->chirp), sigma = 0.5 * width;
+    double scale = sqrt(2 * p->chirp), sigma = 0.5 * width; // as filters/gaussian.c has it
     if (isinf(width))
         return 0;
     if (p->seeing.filter == GAUSSIAN && width > 0) {

@@ -17,6 +17,7 @@
 // infinite x the limits. Source: peachey2003, p. 29.
 #include "filters/average.h"
 #include "filters/primitive.h"
+#include "filters/unit_curve.h"
 
 #include <math.h>
 
@@ -25,16 +26,11 @@ typedef struct smoothstep_parameters {
     bl_averaging averaging;
 } smoothstep_parameters;
 
-static double cubic(double t) {
-    return t * t * (3 - 2 * t);
-}
-
 // Rising, between the smaller and the larger edge.
 static double rising(const void *block, size_t span, double x) {
     const double *edge = block;
     (void)span;
-    double t = (x - edge[0]) / (edge[1] - edge[0]);
-    return t <= 0 ? 0 : t >= 1 ? 1 : cubic(t);
+    return bl_unit_smoothstep((x - edge[0]) / (edge[1] - edge[0]));
 }
 
 static double mean(const void *block, size_t span, double from, double length) {
@@ -42,7 +38,7 @@ static double mean(const void *block, size_t span, double from, double length) {
     double size = edge[1] - edge[0], h = length / size;
     double t = (from + 0.5 * length - edge[0]) / size;
     (void)span;
-    return cubic(t) + (6 - 12 * t) * (h * h / 24);
+    return bl_unit_smoothstep(t) + (6 - 12 * t) * (h * h / 24);
 }
 
 static double average(const smoothstep_parameters *p, const bl_filter *filter, double x,

@@ -2,9 +2,8 @@
 //
 // spline: a Catmull-Rom spline through any number of knots, numbers or colours.
 //
-//   On the span i, s = x (n - 3) - i in [0, 1], through the knots k0 .. k3 = knot i .. i + 3:
-//   k1 + s (k2 - k0)/2 + s^2 (k0 - 5/2 k1 + 2 k2 - k3/2) + s^3 (3/2 (k1 - k2) + (k3 - k0)/2)
-//   0 gives the second knot, 1 the last but one; outside of [0, 1] x is clamped
+//   a cubic on each span (filters/spline.h); 0 gives the second knot, 1 the last but one; outside
+//   of [0, 1] x is clamped
 //   filtered: the box has the exact mean of each cubic; other filters see filters/average.h
 //
 // Parameters
@@ -16,24 +15,22 @@
 //
 // C1 between the ends: the first derivatives of neighbours agree at a knot, the second do not, in
 // general, as against what the text says of it. At both ends, where it is clamped, it is C0. It
-// reproduces polynomials up to degree 2. The text's listing takes one span too many at x = 1, and
-// reads a knot past the last there (times 0). Bound: of each cubic, its Bezier points (k1, k1 + (k2
+// reproduces polynomials up to degree 2. Bound: of each cubic, its Bezier points (k1, k1 + (k2
 // - k0)/6, k2 - (k3 - k1)/6, k2) hull it; none for filters with negative lobes. Infinite width: the
 // mean of both ends. NaN gives NaN, infinite x the ends. Source: peachey2003, p. 34.
 #include "filters/average.h"
 #include "filters/primitive.h"
+#include "filters/spline.h"
 
 #include <math.h>
 #include <string.h>
-
-enum { LEAST_KNOTS = 4, MOST_KNOTS = 128 };
 
 typedef struct spline_parameters {
     char knots[BL_TEXT_SIZE];
     uint32_t component;
     uint32_t count, colours;
-    double knot[4][MOST_KNOTS]; // luminance, red, green, blue; a number is all four
-    double place[MOST_KNOTS];   // of the knots that it passes through
+    double knot[4][BL_SPLINE_MOST]; // luminance, red, green, blue; a number is all four
+    double place[BL_SPLINE_MOST];   // of the knots that it passes through
     bl_averaging averaging;
 } spline_parameters;
 
@@ -59,11 +56,6 @@ static int read_knot(const char *word, const char *end, double rgb[3], int *part
     return *parts == 1 || *parts == 3;
 }
 
-static void place_knots(spline_parameters *p) {
-    for (uint32_t i = 0; i + 2 < p->count; i++)
-        p->place[i] = (double)i / (p->count - 3);
-}
-
 static bl_status read_knots(spline_parameters *p, bl_message *message) {
     int parts, first = 0;
     p->count = 0;
@@ -71,8 +63,9 @@ static bl_status read_knots(spline_parameters *p, bl_message *message) {
         const char *semicolon = strchr(word, ';');
         const char *end = semicolon ? semicolon : word + strlen(word);
         double rgb[3] = {0};
-        if (p->count == MOST_KNOTS)
-            return bl_report(message, BL_USAGE, "knots=%s: at most %d knots", p->knots, MOST_KNOTS);
+        if (p->count == BL_SPLINE_MOST)
+            return bl_report(message, BL_USAGE, "knots=%s: at most %d knots", p->knots,
+                             BL_SPLINE_MOST);
         if (!read_knot(word, end, rgb, &parts))
             return bl_report(message, BL_USAGE,
                              "knots=%s: knot %u, '%.*s', is neither a number nor a colour R/G/B",
@@ -90,70 +83,21 @@ static bl_status read_knots(spline_parameters *p, bl_message *message) {
             p->knot[c + 1][p->count] = rgb[c];
         word = semicolon ? semicolon + 1 : NULL;
     }
-    if (p->count < LEAST_KNOTS)
+    if (p->count < BL_SPLINE_LEAST)
         return bl_report(message, BL_USAGE,
                          "knots=%s: a cubic needs at least %d knots, here are %u; separate them "
                          "with ';' and quote the text in a shell",
-                         p->knots, LEAST_KNOTS, p->count);
+                         p->knots, BL_SPLINE_LEAST, p->count);
     p->colours = first == 3;
-    place_knots(p);
+    bl_spline_places(p->count, p->place);
     return BL_OK;
-}
-
-// The knots of a span, which the cubic is made of.
-typedef struct span {
-    double value, slope, square, cube;
-} span;
-
-static span make_span(const double *k) {
-    return (span){k[1], 0.5 * (k[2] - k[0]), k[0] - 2.5 * k[1] + 2 * k[2] - 0.5 * k[3],
-                  1.5 * (k[1] - k[2]) + 0.5 * (k[3] - k[0])};
-}
-
-// One component of the spline, for the averages.
-typedef struct curve {
-    const double *knot;
-    uint32_t spans;
-} curve;
-
-static double at_span(const curve *c, size_t piece, double s) {
-    span a = make_span(c->knot + piece);
-    return ((a.cube * s + a.square) * s + a.slope) * s + a.value;
-}
-
-static double value_at(const void *block, size_t piece, double x) {
-    const curve *c = block;
-    return at_span(c, piece, fmin(fmax(x * c->spans - (double)piece, 0), 1));
-}
-
-static double mean_over(const void *block, size_t piece, double from, double length) {
-    const curve *c = block;
-    span a = make_span(c->knot + piece);
-    double h = length * c->spans, s = (from + 0.5 * length) * c->spans - (double)piece;
-    return at_span(c, piece, s) + (6 * a.cube * s + 2 * a.square) * (h * h / 24);
 }
 
 static double average_of(const spline_parameters *p, uint32_t component, const bl_filter *filter,
                          double x, double width) {
-    const curve c = {p->knot[component], p->count - 3};
-    double first = c.knot[1], last = c.knot[p->count - 2];
-    if (isnan(x) || isnan(width))
-        return NAN;
-    if (isinf(width))
-        return 0.5 * first + 0.5 * last;
-    const bl_spans pieces = {.block = &c,
-                             .knot = p->place,
-                             .count = p->count - 2,
-                             .below = first,
-                             .above = last,
-                             .value = value_at,
-                             .mean = mean_over};
-    if (width > 0)
-        return bl_average_spans(filter, &pieces, x, width);
-    if (x <= 0 || x >= 1)
-        return x > 0 ? last : first;
-    double piece = fmin(floor(x * c.spans), c.spans - 1.0); // 0 <= piece < 126
-    return value_at(&c, (size_t)piece, x);
+    const bl_spline spline = {
+        .knot = p->knot[component], .count = p->count, .stride = 1, .place = p->place};
+    return bl_spline_average(&spline, filter, x, width);
 }
 
 static double average(const spline_parameters *p, const bl_filter *filter, double x, double width) {
