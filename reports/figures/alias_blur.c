@@ -13,8 +13,7 @@
 
 enum { OWN, POINT, REGULAR, RANDOM, KINDS };
 enum { METHODS_MOST = 12, DRAWN = 3, SINE = 3, SUBJECTS = 4, SHOWN = 4 };
-static const char *const kind_names[] = {"alias_own", "alias_point", "alias_regular",
-                                         "alias_random"};
+static const char *const kind_names[] = {"own_db", "point_db", "regular_db", "random_db"};
 static const char *const kind_labels[] = {"the texture's own filters", "point sampling",
                                           "regular supersamples", "random supersamples"};
 static const bl_ink kind_inks[] = {BL_INK_MEASURED, BL_INK_THEORY, BL_INK_SECOND, BL_INK_THIRD};
@@ -27,12 +26,12 @@ typedef struct way {
 // What all textures are sampled by; the filters of their own stand before these.
 #define COMMON                                                                                     \
     {"point", "point", POINT}, {"supersample:n=4", "4 x 4", REGULAR}, {                            \
-        "supersample:n=4,pattern=jitter", "4 x 4 jittered", RANDOM                                 \
+        "supersample:n=4,pattern=jitter", "jittered", RANDOM                                       \
     }
 #define MORE                                                                                       \
     {"supersample:n=2", "2 x 2", REGULAR}, {"supersample:n=4,pattern=sobol", "Sobol", RANDOM},     \
-        {"supersample:n=2,pixel=gaussian", "2 x 2 Gaussian", REGULAR}, {                           \
-        "supersample:n=2,pixel=mitchell", "2 x 2 Mitchell", REGULAR                                \
+        {"supersample:n=2,pixel=tent", "tent", REGULAR}, {                                         \
+        "supersample:n=2,pixel=mitchell", "Mitchell", REGULAR                                      \
     }
 
 typedef struct subject {
@@ -59,12 +58,13 @@ static const subject subjects[SUBJECTS] = {
      {{"fade", "fade", OWN}, {"gaussian", "Gaussian", OWN}, {"exact", "exact box", OWN}, COMMON},
      {"point", "supersample:n=4", "supersample:n=4,pattern=jitter", "exact"}},
     {"turbulence",
-     "turbulence, octaves of 1/8 to 1 cycle per pixel",
+     "turbulence, octaves of 1/6 to 4/3 cycles per pixel",
      "turbulence:min=1,max=16",
      {{"hard", "clamped", OWN},
       {"fade", "faded", OWN},
-      COMMON,
-      {"supersample:n=2", "2 x 2", REGULAR}},
+      {"point", "point", POINT},
+      {"supersample:n=2", "2 x 2", REGULAR},
+      {"supersample:n=4", "4 x 4", REGULAR}},
      {NULL}},
     // Just above 4 cycles per pixel, where 4 x 4 samples see next to nothing move.
     {"sine",
@@ -78,8 +78,8 @@ typedef struct measured {
     const way *ways;
 } measured;
 
-// The smallest energy that is drawn; less, or what is lost in its own interval, stands there.
-static const double FLOOR = 1e-7;
+// The least that is drawn, in dB of the alias of point samples; what has less stands there.
+enum { LEAST_BLUR = -30, LEAST_ALIAS = -34 };
 
 static size_t way_count(const subject *s) {
     size_t count = 0;
@@ -102,7 +102,7 @@ static const char *text_of(bl_run *run, int n, size_t pixels) {
 
 // Pixels of one size, whatever their number.
 static const char *view_of(bl_run *run, int n, size_t pixels) {
-    static const double pixels_a_unit[SUBJECTS] = {32, 0, 8, 1};
+    static const double pixels_a_unit[SUBJECTS] = {32, 0, 6, 1};
     return n == 1 ? "flat:scale=2"
                   : bl_run_text(run, n == 0 ? "flat:scale=%g,rotate=20" : "flat:scale=%g",
                                 (double)pixels / pixels_a_unit[n]);
@@ -147,7 +147,8 @@ static bl_status write_rows(bl_run *run, const subject *s, const measured *m, bl
     static const char *const names[] = {"blur",        "alias", "alias_lower",
                                         "alias_upper", "mse",   "samples_a_pixel"};
     const char *words[METHODS_MOST], *methods[METHODS_MOST];
-    double values[COLUMNS][METHODS_MOST], drawn[KINDS + 1][METHODS_MOST];
+    double values[COLUMNS][METHODS_MOST], drawn[KINDS + 2][METHODS_MOST];
+    const double unit = row_of(s, m, "point")->alias.value;
     for (size_t i = 0; i < way_count(s); i++) {
         const bl_alias_row *row = &m->result.rows[i];
         words[i] = s->ways[i].word;
@@ -158,19 +159,23 @@ static bl_status write_rows(bl_run *run, const subject *s, const measured *m, bl
         values[ALIAS_UPPER][i] = row->alias.upper;
         values[MSE][i] = row->mse.value;
         values[SAMPLES][i] = row->samples;
+        drawn[KINDS][i] = fmax(10 * log10(row->alias.value / unit), LEAST_ALIAS);
+        drawn[KINDS + 1][i] = fmax(10 * log10(row->blur.value / unit), LEAST_BLUR);
         for (int k = 0; k < KINDS; k++)
-            drawn[k][i] = s->ways[i].kind == k ? fmax(row->alias.value, FLOOR) : NAN;
-        drawn[KINDS][i] = fmax(row->alias.value, FLOOR);
+            drawn[k][i] = s->ways[i].kind == k ? drawn[KINDS][i] : NAN;
     }
-    bl_column columns[3 + COLUMNS + KINDS] = {{"filter", NULL, methods}, {"word", NULL, words}};
+    bl_column columns[4 + COLUMNS + KINDS] = {{"filter", NULL, methods}, {"word", NULL, words}};
     size_t count = 2;
     for (int c = 0; c < COLUMNS; c++)
         columns[count++] = (bl_column){names[c], values[c], NULL};
     for (int k = 0; k < KINDS; k++)
         columns[count++] = (bl_column){kind_names[k], drawn[k], NULL};
-    columns[count++] = (bl_column){"alias_drawn", drawn[KINDS], NULL};
-    return bl_run_csv(run, s->key, "alias and blur of each filter, squares of the value", columns,
-                      count, way_count(s), message);
+    columns[count++] = (bl_column){"alias_db", drawn[KINDS], NULL};
+    columns[count++] = (bl_column){"blur_db", drawn[KINDS + 1], NULL};
+    return bl_run_csv(run, s->key,
+                      "alias and blur of each filter, squares of the value, and dB of the alias of "
+                      "point samples",
+                      columns, count, way_count(s), message);
 }
 
 static bl_status draw_rows(bl_run *run, bl_message *message) {
@@ -179,16 +184,16 @@ static bl_status draw_rows(bl_run *run, bl_message *message) {
     for (int n = 0; n < DRAWN; n++) {
         const char *file = bl_run_text(run, "%s.csv", subjects[n].key);
         for (int k = 0; k < KINDS; k++)
-            series[n][k] = (bl_series){BL_STROKE_POINTS, kind_inks[k], file,           "blur",
+            series[n][k] = (bl_series){BL_STROKE_POINTS, kind_inks[k], file,           "blur_db",
                                        kind_names[k],    NULL,         kind_labels[k], 0};
-        series[n][KINDS] = (bl_series){BL_STROKE_WORDS, BL_INK_PLAIN, file, "blur",
-                                       "alias_drawn",   "word",       NULL, 0};
+        series[n][KINDS] = (bl_series){BL_STROKE_WORDS, BL_INK_PLAIN, file, "blur_db",
+                                       "alias_db",      "word",       NULL, 0};
         panels[n] =
             (bl_panel){.title = subjects[n].title, .series = series[n], .series_count = KINDS + 1};
     }
     const bl_plot plot = {.title = "How much alias and how much blur does each filter leave?",
-                          .x = {"blur, squares of the value", 1e-5, 1, 10, 1},
-                          .y = {"alias, squares of the value", 1e-7, 1, 10, 1},
+                          .x = {"blur, dB of the alias of point samples", LEAST_BLUR, 5, 5, 0},
+                          .y = {"alias, dB of that of point samples", -35, 5, 5, 0},
                           .panels = panels,
                           .panel_count = DRAWN,
                           .columns = 1,
@@ -310,8 +315,17 @@ static bl_status claim_lines(bl_run *run, int n, const measured *m, bl_message *
                   reading, "dB", -INFINITY, 0, bl_observed(share, pixels), "pixels");
     bl_make_claim(run, "peachey2003, Methods of Antialiasing Procedural Textures",
                   "Irregular samples convert aliases into noise and cannot eliminate them: the "
-                  "error keeps at least a tenth of its energy.",
-                  reading, "dB", -10, INFINITY, bl_observed(energy, pixels), "pixels");
+                  "error keeps at least a hundredth of its energy.",
+                  reading, "dB", -20, INFINITY, bl_observed(energy, pixels), "pixels");
+    if (n != SINE)
+        return BL_OK;
+    // Regular places see the sine stand still and keep 0.968 of its energy (their response squared
+    // at 4.1 cycles per pixel); 16 irregular ones are as many independent values of it, and their
+    // mean has 1/16: -11.9 dB. The energy is a sum over some 400 pixels or more, good to 0.3 dB.
+    bl_make_claim(run, "bandlimit",
+                  "Noise is less than the alias it replaces: n samples a pixel spread it over n "
+                  "times the band, and 1/n of its energy is left.",
+                  reading, "dB", -13.4, -10.4, bl_observed(energy, pixels), "pixels");
     return BL_OK;
 }
 
@@ -383,7 +397,9 @@ BL_FIGURE_DESCRIPTOR(alias_blur) = {
         "Each way to sample a brick wall, a zone plate and a turbulence: the energy that folds "
         "into the picture (alias) against the energy that is missing or wrong within it (blur). "
         "The best stands at the lower left. A box that is a pixel wide is no ideal filter: it "
-        "blurs, and leaves some alias. Pictures show what that looks like, of a sine, too, for "
+        "blurs, and leaves some alias. Tent and Mitchell weight 2 x 2 samples a pixel; jittered "
+        "and "
+        "Sobol are 4 x 4 irregular ones. Pictures show what that looks like, of a sine, too, for "
         "which 4 x 4 samples "
         "are too few.",
     .run = run_figure};
