@@ -16,14 +16,14 @@ static const char section[] = "peachey2003, Clamping";
 
 enum { PLAIN, HARD, FADED, WAYS, SUMS = 2 };
 static const char *const texts[SUMS * WAYS] = {"sinesum",
-                                               "fractalsum:max=64",
                                                "sinesum:filter=clamp,width=" WIDTH,
-                                               "fractalsum:max=64,clamp=hard,width=" WIDTH,
                                                "sinesum:filter=fade,width=" WIDTH,
+                                               "fractalsum:max=64",
+                                               "fractalsum:max=64,clamp=hard,width=" WIDTH,
                                                "fractalsum:max=64,clamp=fade,width=" WIDTH};
-static const char *const labels[SUMS * WAYS] = {
-    "sine waves",          "gradient noises",   "sine waves, hard cutoff",
-    "noises, hard cutoff", "sine waves, faded", "noises, faded"};
+static const char *const labels[SUMS * WAYS] = {"sine waves",          "sine waves, hard cutoff",
+                                                "sine waves, faded",   "gradient noises",
+                                                "noises, hard cutoff", "noises, faded"};
 static const char *const ways[WAYS] = {"not clamped", "hard cutoff", "faded"};
 
 static bl_psd_settings settings_of(const bl_run *run) {
@@ -41,7 +41,7 @@ static bl_psd_settings settings_of(const bl_run *run) {
 // The power in a band, in units of the variance of the sum that is not clamped.
 static bl_estimate power_of(const bl_gallery_spectra *spectra, int sum, int way, double from,
                             double to) {
-    const bl_psd *psd = &spectra->psd[SUMS * way + sum], *plain = &spectra->psd[sum];
+    const bl_psd *psd = &spectra->psd[WAYS * sum + way], *plain = &spectra->psd[WAYS * sum];
     bl_band band = {.from = from, .to = to};
     bl_psd_band(psd, &band);
     double scale = psd->variance.value / plain->variance.value;
@@ -79,9 +79,9 @@ static void claim_loss(bl_run *run, const bl_gallery_spectra *spectra, int way) 
                             "with the high ones: the power lost below the Nyquist frequency."
                           : "A sine wave has no lower frequencies to lose: the power that the hard "
                             "cutoff takes below the Nyquist frequency.",
-                      bl_run_text(run, "%s, %s", labels[sum], ways[way]), "of the power there",
-                      sum ? 0.001 : -1e-9, sum ? 1 : 1e-9, bl_observed(lost, kept.samples),
-                      "averages");
+                      bl_run_text(run, "%s, %s", labels[WAYS * sum], ways[way]),
+                      "of the power there", sum ? 0.001 : -1e-9, sum ? 1 : 1e-9,
+                      bl_observed(lost, kept.samples), "averages");
     }
 }
 
