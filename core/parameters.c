@@ -336,9 +336,11 @@ bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec
     return dotted ? read_dotted(parameters, spec, text, block, message) : BL_OK;
 }
 
-// The shortest decimal that reads back as the same double.
+// The shortest decimal that reads back as the same double; whole numbers that a user would write
+// without an exponent have none.
 static void print_real(double value, char *out, size_t size) {
-    for (int digits = 1; digits <= 17; digits++) {
+    int whole = fabs(value) >= 1 && fabs(value) < 1e6 ? 1 + (int)log10(fabs(value)) : 1;
+    for (int digits = whole; digits <= 17; digits++) {
         snprintf(out, size, "%.*g", digits, value);
         if (strtod(out, NULL) == value)
             return;
