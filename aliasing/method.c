@@ -43,16 +43,17 @@ const char *bl_method_own_key(const bl_signal *signal) {
     return NULL;
 }
 
-static int has_word(const char *const *words, const char *name) {
-    for (; words && *words; words++)
-        if (strcmp(*words, name) == 0)
-            return 1;
-    return 0;
+const char *const *bl_method_own_words(const bl_signal *signal) {
+    static const char *const none[] = {NULL};
+    const char *key = bl_method_own_key(signal);
+    return key ? bl_signal_choices(signal, key) : none;
 }
 
-static const char *const *own_words(const bl_signal *signal) {
-    const char *key = bl_method_own_key(signal);
-    return key ? bl_signal_choices(signal, key) : NULL;
+int bl_method_is_own(const bl_signal *signal, const char *word) {
+    for (const char *const *own = bl_method_own_words(signal); *own; own++)
+        if (strcmp(*own, word) == 0)
+            return 1;
+    return 0;
 }
 
 static bl_status report_unknown(const char *name, const bl_signal *signal, bl_message *message) {
@@ -60,8 +61,9 @@ static bl_status report_unknown(const char *name, const bl_signal *signal, bl_me
     size_t count = 0;
     for (; count < METHOD_COUNT; count++)
         names[count] = registry[count]->name;
-    for (const char *const *w = own_words(signal); w && *w && count < METHOD_COUNT + WORDS_MOST;)
-        names[count++] = *w++;
+    for (const char *const *own = bl_method_own_words(signal);
+         *own && count < METHOD_COUNT + WORDS_MOST; own++)
+        names[count++] = *own;
     const char *near = bl_nearest(name, names);
     char known[768] = "";
     for (size_t i = 0; i < count; i++)
@@ -107,7 +109,7 @@ bl_status bl_method_open(const char *text, const bl_signal *signal, bl_method *m
     bl_status status = bl_spec_parse(text, &spec, message);
     if (status != BL_OK)
         return status;
-    int own = has_word(own_words(signal), spec.name);
+    int own = bl_method_is_own(signal, spec.name);
     const bl_method_kind *kind = bl_method_find(own ? "own" : spec.name);
     if (!kind)
         status = report_unknown(spec.name, signal, message);

@@ -63,6 +63,9 @@ void bl_method_close(bl_method *method);
 // The key whose words are the ways that the signal filters itself: "filter", or "clamp" of a sum of
 // octaves; NULL for a signal that has none.
 const char *bl_method_own_key(const bl_signal *signal);
+// The words of this key, ended by NULL (at once, without a key); and whether a word is one of them.
+const char *const *bl_method_own_words(const bl_signal *signal);
+int bl_method_is_own(const bl_signal *signal, const char *word);
 
 // The unfiltered colour of what the view sees at (x, y), in pixels; the background where it sees
 // nothing. What methods sample. Thread-safe.

@@ -177,14 +177,12 @@ static void fill_exact(const bl_scene *scene, const bl_signal *exact, bl_referen
 // Sets `reference->exact` where there is an integral.
 static bl_status try_exact(const bl_scene *scene, bl_pixel pixel, bl_reference *reference,
                            bl_message *message) {
-    const char *key = bl_method_own_key(scene->signal);
-    const char *const *words = key ? bl_signal_choices(scene->signal, key) : NULL;
-    while (words && *words && strcmp(*words, "exact") != 0)
-        words++;
-    if (pixel != BL_PIXEL_BOX || !words || !*words || !is_along_axes(scene->view))
+    if (pixel != BL_PIXEL_BOX || !bl_method_is_own(scene->signal, "exact") ||
+        !is_along_axes(scene->view))
         return BL_OK;
     bl_signal *exact;
-    bl_status status = bl_signal_with_choice(scene->signal, key, "exact", &exact, message);
+    bl_status status = bl_signal_with_choice(scene->signal, bl_method_own_key(scene->signal),
+                                             "exact", &exact, message);
     if (status != BL_OK)
         return status;
     fill_exact(scene, exact, reference);

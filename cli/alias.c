@@ -43,23 +43,13 @@ static bl_status read_size(const char *text, size_t size[2], bl_message *message
     return BL_OK;
 }
 
-// Whether the signal has the usual method as a word of its own, under the same name.
-static int is_own(const char *text, const char *const *own) {
-    for (; own && *own; own++)
-        if (strcmp(*own, text) == 0)
-            return 1;
-    return 0;
-}
-
 static int add_all(const bl_signal *signal, bl_words *methods) {
-    const char *key = bl_method_own_key(signal);
-    const char *const *own = key ? bl_signal_choices(signal, key) : NULL;
     int whole = 1;
-    for (size_t i = 0; own && own[i]; i++)
-        if (strcmp(own[i], "none") != 0) // which is point sampling
-            whole = whole && bl_words_add(methods, own[i]);
+    for (const char *const *own = bl_method_own_words(signal); *own; own++)
+        if (strcmp(*own, "none") != 0) // which is point sampling
+            whole = whole && bl_words_add(methods, *own);
     for (size_t i = 0; i < USUAL; i++)
-        if (!is_own(usual[i], own))
+        if (!bl_method_is_own(signal, usual[i]))
             whole = whole && bl_words_add(methods, usual[i]);
     return whole;
 }

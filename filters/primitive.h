@@ -12,6 +12,7 @@
 #ifndef BL_FILTERS_PRIMITIVE_H
 #define BL_FILTERS_PRIMITIVE_H
 
+#include <math.h>
 #include <stddef.h>
 
 #include "core/definition.h"

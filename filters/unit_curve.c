@@ -4,6 +4,8 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "filters/average.h"
+
 const char *const bl_curve_words[] = {"power", "schlick", NULL};
 
 bl_unit_curve bl_gamma_curve(double gamma) {
@@ -58,4 +60,31 @@ double bl_unit_curve_mean(const bl_unit_curve *curve, double from, double length
         return bl_unit_curve_value(curve, from);
     return curve->form == BL_CURVE_POWER ? power_mean(curve->number, from, length)
                                          : schlick_mean(curve->number, from, length);
+}
+
+static double at(const void *block, size_t span, double x) {
+    (void)span;
+    return bl_unit_curve_value(block, x);
+}
+
+static double mean(const void *block, size_t span, double from, double length) {
+    (void)span;
+    return bl_unit_curve_mean(block, from, length);
+}
+
+double bl_unit_curve_average(const bl_unit_curve *curve, const bl_filter *filter, double x,
+                             double width) {
+    static const double knot[2] = {0, 1};
+    const bl_spans spans = {.block = curve,
+                            .knot = knot,
+                            .count = 2,
+                            .above = 1,
+                            .value = at,
+                            .mean = mean,
+                            .graded = 1};
+    if (isnan(x) || isnan(width))
+        return NAN;
+    if (isinf(width))
+        return 0.5;
+    return width > 0 ? bl_average_spans(filter, &spans, x, width) : bl_unit_curve_value(curve, x);
 }

@@ -8,6 +8,8 @@
 
 #include <stdint.h>
 
+#include "filters/filter.h"
+
 typedef enum bl_curve_form { BL_CURVE_POWER, BL_CURVE_SCHLICK } bl_curve_form;
 
 extern const char *const bl_curve_words[]; // "power", "schlick", NULL
@@ -25,6 +27,11 @@ double bl_unit_curve_value(const bl_unit_curve *curve, double x);
 // Its mean over [from, from + length] within [0, 1]: an exact integral, in forms that keep their
 // digits at any length; the value for length 0. Pure.
 double bl_unit_curve_mean(const bl_unit_curve *curve, double from, double length);
+
+// The curve averaged about x over samples of this width; 1/2 for an infinite one, as it is 0 on one
+// side and 1 on the other. NaN for NaN, and as bl_average_spans says. Pure.
+double bl_unit_curve_average(const bl_unit_curve *curve, const bl_filter *filter, double x,
+                             double width);
 
 // Smoothstep between 0 and 1, u^2 (3 - 2 u), clamped outside; NaN for NaN.
 static inline double bl_unit_smoothstep(double u) {

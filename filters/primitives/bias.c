@@ -22,39 +22,15 @@
 #include "filters/primitive.h"
 #include "filters/unit_curve.h"
 
-#include <math.h>
-
 typedef struct bias_parameters {
     double b;
     uint32_t form;
     bl_averaging averaging;
 } bias_parameters;
 
-static double at(const void *block, size_t span, double x) {
-    (void)span;
-    return bl_unit_curve_value(block, x);
-}
-
-static double mean(const void *block, size_t span, double from, double length) {
-    (void)span;
-    return bl_unit_curve_mean(block, from, length);
-}
-
 static double average(const bias_parameters *p, const bl_filter *filter, double x, double width) {
-    static const double knot[2] = {0, 1};
     const bl_unit_curve curve = bl_bias_curve(p->form, p->b);
-    const bl_spans spans = {.block = &curve,
-                            .knot = knot,
-                            .count = 2,
-                            .above = 1,
-                            .value = at,
-                            .mean = mean,
-                            .graded = 1};
-    if (isnan(x) || isnan(width))
-        return NAN;
-    if (isinf(width))
-        return 0.5;
-    return width > 0 ? bl_average_spans(filter, &spans, x, width) : bl_unit_curve_value(&curve, x);
+    return bl_unit_curve_average(&curve, filter, x, width);
 }
 
 BL_PRIMITIVE_ABILITIES(bias_parameters)

@@ -18,38 +18,14 @@
 #include "filters/primitive.h"
 #include "filters/unit_curve.h"
 
-#include <math.h>
-
 typedef struct gamma_parameters {
     double gamma;
     bl_averaging averaging;
 } gamma_parameters;
 
-static double at(const void *block, size_t span, double x) {
-    (void)span;
-    return bl_unit_curve_value(block, x);
-}
-
-static double mean(const void *block, size_t span, double from, double length) {
-    (void)span;
-    return bl_unit_curve_mean(block, from, length);
-}
-
 static double average(const gamma_parameters *p, const bl_filter *filter, double x, double width) {
-    static const double knot[2] = {0, 1};
     const bl_unit_curve curve = bl_gamma_curve(p->gamma);
-    const bl_spans spans = {.block = &curve,
-                            .knot = knot,
-                            .count = 2,
-                            .above = 1,
-                            .value = at,
-                            .mean = mean,
-                            .graded = 1};
-    if (isnan(x) || isnan(width))
-        return NAN;
-    if (isinf(width))
-        return 0.5;
-    return width > 0 ? bl_average_spans(filter, &spans, x, width) : bl_unit_curve_value(&curve, x);
+    return bl_unit_curve_average(&curve, filter, x, width);
 }
 
 BL_PRIMITIVE_ABILITIES(gamma_parameters)

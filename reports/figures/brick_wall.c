@@ -155,3 +155,29 @@ double bl_wall_spread(const double width[BL_WALL_JOINTS]) {
         bl_moments_add(&moments, width[k]);
     return sqrt(bl_moments_variance(&moments));
 }
+
+bl_status bl_wall_draw_widths(bl_run *run, const char *what, const double place[BL_WALL_JOINTS],
+                              const bl_wall_row *rows, size_t count, const char *alternative,
+                              bl_message *message) {
+    bl_column columns[1 + BL_WALL_ROWS_MOST] = {{"height_units", place, NULL}};
+    bl_series series[BL_WALL_ROWS_MOST];
+    for (size_t i = 0; i < count; i++) {
+        columns[1 + i] = (bl_column){rows[i].column, rows[i].width, NULL};
+        series[i] = (bl_series){BL_STROKE_POINTS, rows[i].ink, "widths.csv",  "height_units",
+                                rows[i].column,   NULL,        rows[i].label, 0};
+    }
+    bl_status status = bl_run_csv(run, "widths", what, columns, 1 + count, BL_WALL_JOINTS, message);
+    const bl_limit limits[] = {{0, 1, "the mortar"}};
+    const bl_panel panel = {
+        .title = "level joints, from the bottom up", .series = series, .series_count = count};
+    const bl_plot plot = {.title = "How wide do the joints look?",
+                          .x = {"height of the joint, units", -1, 1, 0.25, 0},
+                          .y = {"width, thicknesses of the mortar", -0.2, 2, 0.5, 0},
+                          .panels = &panel,
+                          .panel_count = 1,
+                          .columns = 1,
+                          .aspect = 0.4,
+                          .limits = limits,
+                          .limit_count = 1};
+    return status == BL_OK ? bl_run_plot(run, "widths", &plot, alternative, message) : status;
+}

@@ -30,6 +30,21 @@ bl_status bl_wall_draw(bl_run *run, const bl_wall *wall, const char *method, con
 bl_status bl_wall_widths(const bl_wall *wall, const char *method, double place[BL_WALL_JOINTS],
                          double width[BL_WALL_JOINTS], bl_message *message);
 
+// One of the ways that a plot of these widths shows.
+typedef struct bl_wall_row {
+    const char *column, *label; // "point_mortars", "point sampled"
+    const double *width;        // BL_WALL_JOINTS of them
+    bl_ink ink;
+} bl_wall_row;
+
+enum { BL_WALL_ROWS_MOST = 4 };
+
+// Writes widths.csv, which `what` describes, and the plot "widths" of at most BL_WALL_ROWS_MOST
+// rows.
+bl_status bl_wall_draw_widths(bl_run *run, const char *what, const double place[BL_WALL_JOINTS],
+                              const bl_wall_row *rows, size_t count, const char *alternative,
+                              bl_message *message);
+
 // The standard deviation of the widths.
 double bl_wall_spread(const double width[BL_WALL_JOINTS]);
 

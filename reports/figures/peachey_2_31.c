@@ -8,27 +8,11 @@
 
 static bl_status draw_widths(bl_run *run, const double *place, const double *width,
                              bl_message *message) {
-    const bl_column columns[] = {{"height_units", place, NULL}, {"width_mortars", width, NULL}};
-    bl_status status = bl_run_csv(run, "widths", "level joints of the wall, point sampled", columns,
-                                  2, BL_WALL_JOINTS, message);
-    const bl_series series[] = {{BL_STROKE_POINTS, BL_INK_MEASURED, "widths.csv", "height_units",
-                                 "width_mortars", NULL, "point sampled", 0}};
-    const bl_limit limits[] = {{0, 1, "the mortar"}};
-    const bl_panel panel = {"level joints, from the bottom up", series, 1, NULL};
-    const bl_plot plot = {.title = "How wide do the joints look?",
-                          .x = {"height of the joint, units", -1, 1, 0.25, 0},
-                          .y = {"width, thicknesses of the mortar", -0.2, 2, 0.5, 0},
-                          .panels = &panel,
-                          .panel_count = 1,
-                          .columns = 1,
-                          .aspect = 0.4,
-                          .limits = limits,
-                          .limit_count = 1};
-    return status == BL_OK ? bl_run_plot(run, "widths", &plot,
-                                         "Dots of twenty joints: some at 0, as if there were no "
-                                         "mortar, the others at one and a half.",
-                                         message)
-                           : status;
+    const bl_wall_row row = {"width_mortars", "point sampled", width, BL_INK_MEASURED};
+    return bl_wall_draw_widths(run, "level joints of the wall, point sampled", place, &row, 1,
+                               "Dots of twenty joints: some at 0, as if there were no mortar, the "
+                               "others at one and a half.",
+                               message);
 }
 
 // A joint of 0.64 pixels holds the centre of one pixel, which is drawn whole, or of none.

@@ -11,31 +11,13 @@ enum { POINT, INTEGRAL, METHODS };
 
 static bl_status draw_widths(bl_run *run, const double *place,
                              double width[METHODS][BL_WALL_JOINTS], bl_message *message) {
-    const bl_column columns[] = {{"height_units", place, NULL},
-                                 {"point_mortars", width[POINT], NULL},
-                                 {"integral_mortars", width[INTEGRAL], NULL}};
-    bl_status status =
-        bl_run_csv(run, "widths", "level joints of the wall", columns, 3, BL_WALL_JOINTS, message);
-    const bl_series series[] = {{BL_STROKE_POINTS, BL_INK_THEORY, "widths.csv", "height_units",
-                                 "point_mortars", NULL, "point sampled", 0},
-                                {BL_STROKE_POINTS, BL_INK_MEASURED, "widths.csv", "height_units",
-                                 "integral_mortars", NULL, "box filtered", 0}};
-    const bl_limit limits[] = {{0, 1, "the mortar"}};
-    const bl_panel panel = {"level joints, from the bottom up", series, METHODS, NULL};
-    const bl_plot plot = {.title = "How wide do the joints look?",
-                          .x = {"height of the joint, units", -1, 1, 0.25, 0},
-                          .y = {"width, thicknesses of the mortar", -0.2, 2, 0.5, 0},
-                          .panels = &panel,
-                          .panel_count = 1,
-                          .columns = 1,
-                          .aspect = 0.4,
-                          .limits = limits,
-                          .limit_count = 1};
-    return status == BL_OK ? bl_run_plot(run, "widths", &plot,
-                                         "Dots of twenty joints: point sampled they jump between 0 "
-                                         "and one and a half, box filtered all lie at 1.",
-                                         message)
-                           : status;
+    const bl_wall_row rows[METHODS] = {
+        {"point_mortars", "point sampled", width[POINT], BL_INK_THEORY},
+        {"integral_mortars", "box filtered", width[INTEGRAL], BL_INK_MEASURED}};
+    return bl_wall_draw_widths(run, "level joints of the wall", place, rows, METHODS,
+                               "Dots of twenty joints: point sampled they jump between 0 and one "
+                               "and a half, box filtered all lie at 1.",
+                               message);
 }
 
 static bl_status measure(bl_run *run, const bl_wall *wall, const bl_view *view,
