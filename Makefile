@@ -19,11 +19,9 @@ SOVERSION := 0
 
 NOISES := $(shell sed -n 's/^BL_NOISE(\(.*\))/\1/p' noises/noises.def)
 ISAS := baseline v3 v4
-FOLDERS := core filters filters/primitives spectra textures aliasing aliasing/views \
-    aliasing/methods aliasing/trades score reports reports/figures
-LIBRARY_C := $(wildcard $(FOLDERS:%=%/*.c)) \
-    $(filter-out $(NOISES:%=noises/%.c),$(wildcard noises/*.c))
-LIBRARY_OBJECTS := $(LIBRARY_C:%.c=$(BUILD)/%.o) $(BUILD)/reports/oiio.o \
+FOLDERS := core filters noises textures sources spectra aliasing score reports
+LIBRARY_C := $(filter-out $(NOISES:%=noises/%.c),$(wildcard $(FOLDERS:%=%/*.c) $(FOLDERS:%=%/*/*.c)))
+LIBRARY_OBJECTS := $(LIBRARY_C:%.c=$(BUILD)/%.o) $(BUILD)/core/oiio.o \
     $(foreach isa,$(ISAS),$(NOISES:%=$(BUILD)/noises/%.$(isa).o))
 PROGRAM_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard cli/*.c))
 TESTS := $(patsubst tests/%.c,%,$(wildcard tests/t-*.c))
@@ -70,7 +68,7 @@ $(BUILD)/%.o: %.c
 	$(call say,compile)
 	$(Q)$(COMPILE_C) -c $< -o $@
 
-$(BUILD)/reports/oiio.o: reports/oiio.cpp
+$(BUILD)/core/oiio.o: core/oiio.cpp
 	@mkdir -p $(@D)
 	$(call say,compile)
 	$(Q)$(CXX) -std=c++17 $(WARNINGS) $(COMMON) $(OIIO_FLAGS) $(CXXFLAGS) -c $< -o $@

@@ -7,7 +7,7 @@
 
 #include "core/fft.h"
 #include "core/grid.h"
-#include "spectra/memory.h"
+#include "core/memory.h"
 #include "spectra/window.h"
 
 static bl_status check_size(size_t width, size_t height, size_t oversample, bl_message *message) {

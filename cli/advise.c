@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The verb `advise`: the cheapest way to sample a texture under a view within a tolerance.
-#include "aliasing/advise.h"
+#include "score/advise.h"
 
 #include <math.h>
 #include <stdint.h>

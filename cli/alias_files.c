@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "cli/csv.h"
-#include "reports/image.h"
+#include "core/image.h"
 #include "reports/output.h"
 #include "textures/texture.h"
 

@@ -6,58 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/bench.h"
 #include "cli/csv.h"
 #include "cli/json.h"
+#include "cli/verb.h"
+#include "score/bench.h"
 
 typedef struct bench_settings {
     int check;
 } bench_settings;
-
-static const struct {
-    const char *signal, *path;
-    double ratio;
-} floors[] = {
-#define BL_FLOOR(signal, path, ratio) {signal, path, ratio},
-#include "cli/bench_floors.def"
-#undef BL_FLOOR
-};
-
-static double floor_of(const bl_bench_row *row) {
-    for (size_t i = 0; i < sizeof floors / sizeof *floors; i++)
-        if (strcmp(floors[i].signal, row->signal) == 0 && strcmp(floors[i].path, row->path) == 0)
-            return floors[i].ratio;
-    return NAN;
-}
-
-static bl_time per_sample(bl_time time, double samples) {
-    return (bl_time){.minimum = time.minimum / samples,
-                     .median = time.median / samples,
-                     .worst_block = time.worst_block / samples};
-}
-
-int bl_bench_add(bl_bench *bench, const bl_bench_row *row) {
-    bl_bench_row *rows = realloc(bench->rows, (bench->count + 1) * sizeof *rows);
-    if (!rows)
-        return 0;
-    bench->rows = rows;
-    bl_bench_row *added = &rows[bench->count++];
-    *added = *row;
-    added->candidate = per_sample(row->candidate, row->samples);
-    added->yardstick = per_sample(row->yardstick, row->samples);
-    added->ratio = row->yardstick.minimum / row->candidate.minimum;
-    added->floor = floor_of(row);
-    return 1;
-}
-
-static int is_met(const bl_bench_row *row) {
-    return row->ratio >= row->floor;
-}
-
-// Measured in transforms, of which fewer is better, and not in textbook loops.
-static int is_transform(const bl_bench_row *row) {
-    return strcmp(row->path, "psd-4096") == 0;
-}
 
 static void read_processor(char *name, size_t size) {
     char line[256];
@@ -86,7 +42,7 @@ static json_t *row_json(const bl_bench_row *row) {
     bl_json_set_number(object, "samples", row->samples);
     bl_json_set_number(object, "ns_per_sample", row->candidate.minimum);
     bl_json_set_number(object, "ns_per_sample_median", row->candidate.median);
-    int transform = is_transform(row);
+    int transform = bl_bench_is_transform(row);
     int textbook = row->against && strcmp(row->against, "textbook") == 0;
     bl_json_set_text(object, "yardstick", row->against);
     bl_json_set_number(object, "yardstick_ns_per_sample", row->yardstick.minimum);
@@ -101,15 +57,8 @@ static json_t *row_json(const bl_bench_row *row) {
     else
         bl_json_set_number(object, "floor", row->floor);
     json_object_set_new(object, "floor_met",
-                        isnan(row->floor) ? json_null() : json_boolean(is_met(row)));
+                        isnan(row->floor) ? json_null() : json_boolean(bl_bench_is_met(row)));
     return object;
-}
-
-static size_t count_missed(const bl_bench *bench) {
-    size_t missed = 0;
-    for (size_t i = 0; i < bench->count; i++)
-        missed += !isnan(bench->rows[i].floor) && !is_met(&bench->rows[i]);
-    return missed;
 }
 
 // Without --check the floors are shown and not judged.
@@ -119,14 +68,14 @@ static void report_json(json_t *object, const bl_bench *bench, int checked, bl_s
     bl_json_set_text(object, "processor", processor);
     bl_json_set_text(object, "compiler", __VERSION__);
     bl_json_set_count(object, "threads", 1);
-    bl_json_set_count(object, "threads_of_psd", (uint64_t)bl_call_threads(bench->call));
+    bl_json_set_count(object, "threads_of_psd", (uint64_t)bench->threads);
     bl_json_set_count(object, "rounds", (uint64_t)bench->rounds);
     bl_json_set_text(object, "clock", "CLOCK_MONOTONIC; pieces by turns; the least of the rounds");
     json_t *rows = json_array();
     for (size_t i = 0; i < bench->count; i++)
         json_array_append_new(rows, row_json(&bench->rows[i]));
     json_object_set_new(object, "rows", rows);
-    bl_json_set_count(object, "floors_missed", count_missed(bench));
+    bl_json_set_count(object, "floors_missed", bl_bench_missed(bench));
     bl_json_set_text(object, "verdict", checked ? bl_status_word(verdict) : "not judged");
     bl_json_set_count(object, "exit_status", (uint64_t)verdict);
 }
@@ -147,12 +96,12 @@ static void print_row(bl_call *call, const bl_bench_row *row) {
     print_number(out, "%*.3f", 9, row->candidate.median);
     print_number(out, "%*.3f", 10, row->yardstick.minimum);
     fprintf(out, " %-9s", row->against ? row->against : "-");
-    print_number(out, "%*.2f", 8, is_transform(row) ? 1 / row->ratio : row->ratio);
+    print_number(out, "%*.2f", 8, bl_bench_is_transform(row) ? 1 / row->ratio : row->ratio);
     print_number(out, "%*.1e", 10, row->max_error);
     if (!isnan(row->floor))
-        fprintf(out, "  %s %.3g %s",
-                is_transform(row) ? "<=" : ">=", is_transform(row) ? 1 / row->floor : row->floor,
-                bl_call_verdict(call, is_met(row) ? BL_OK : BL_FAIL));
+        fprintf(out, "  %s %.3g %s", bl_bench_is_transform(row) ? "<=" : ">=",
+                bl_bench_is_transform(row) ? 1 / row->floor : row->floor,
+                bl_call_verdict(call, bl_bench_is_met(row) ? BL_OK : BL_FAIL));
     fputc('\n', out);
 }
 
@@ -209,8 +158,7 @@ static bl_status write_csv(bl_call *call, const bl_bench *bench) {
 }
 
 // The signals named, or the whole registry, with the instruction sets asked for.
-static bl_status time_noises(bl_bench *bench) {
-    bl_call *call = bench->call;
+static bl_status time_noises(bl_call *call, bl_bench *bench) {
     size_t named = call->operands.count;
     bl_status status = BL_OK;
     for (size_t i = 0; i < (named ? named : bl_noise_count()); i++)
@@ -220,25 +168,35 @@ static bl_status time_noises(bl_bench *bench) {
                 continue;
             const char *text =
                 named ? call->operands.words[i] : bl_noise_at(i, BL_ISA_BASELINE)->name;
-            status = bl_bench_noise(bench, text, (bl_isa)isa);
+            status = bl_bench_noise(bench, text, (bl_isa)isa, &call->message);
         }
     return status;
 }
 
+static void show_progress(void *user, const char *what) {
+    bl_progress(user, "timing %s ...", what);
+}
+
 static bl_status run_bench(bl_call *call) {
     const bench_settings *settings = call->settings;
-    bl_bench bench = {.call = call, .rounds = 9, .turn_seconds = 2e-3};
-    if (call->common.quick)
-        bench = (bl_bench){.call = call, .rounds = 3, .turn_seconds = 2e-4};
-    if (call->common.full)
-        bench = (bl_bench){.call = call, .rounds = 31, .turn_seconds = 5e-3};
-    bl_status status = time_noises(&bench), verdict = BL_OK;
+    const int quick = call->common.quick, full = call->common.full;
+    bl_bench bench = {.isa = call->isa,
+                      .threads = bl_call_threads(call),
+                      .rounds = quick  ? 3
+                                : full ? 31
+                                       : 9,
+                      .turn_seconds = quick  ? 2e-4
+                                      : full ? 5e-3
+                                             : 2e-3,
+                      .progress = show_progress,
+                      .user = call};
+    bl_status status = time_noises(call, &bench), verdict = BL_OK;
     if (status == BL_OK)
-        status = bl_bench_peers(&bench);
+        status = bl_bench_peers(&bench, &call->message);
     if (status == BL_OK && call->operands.count == 0)
-        status = bl_bench_psd(&bench);
+        status = bl_bench_psd(&bench, &call->message);
     bl_progress(call, NULL);
-    if (settings->check && count_missed(&bench) > 0)
+    if (settings->check && bl_bench_missed(&bench) > 0)
         verdict = BL_FAIL;
     if (status == BL_OK && bl_json_start(call))
         report_json(call->json, &bench, settings->check, verdict);

@@ -10,7 +10,7 @@
 #include "cli/verb.h"
 #include "core/grammar.h"
 #include "core/grid.h"
-#include "reports/source.h"
+#include "sources/source.h"
 
 // Keeps a copy of a signal whose source may fail, to ask for its complaint when the verb is done
 // with the signal itself.

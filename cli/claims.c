@@ -8,7 +8,7 @@
 #include "cli/json.h"
 #include "cli/plain.h"
 #include "cli/scorecard.h"
-#include "score/sampling.h"
+#include "score/properties/sampling.h"
 
 enum { MOST = BL_SCORE_PROPERTIES * BL_SCORE_CLAIMS };
 

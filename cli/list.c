@@ -4,12 +4,12 @@
 #include <string.h>
 
 #include "aliasing/method.h"
-#include "aliasing/trade.h"
+#include "score/trade.h"
 #include "cli/json.h"
 #include "cli/verb.h"
 #include "cli/words.h"
 #include "filters/primitive.h"
-#include "reports/experiment.h"
+#include "reports/run.h"
 #include "textures/texture.h"
 
 typedef struct list_settings {

@@ -12,8 +12,8 @@
 #include "cli/verb.h"
 #include "cli/words.h"
 #include "core/grid.h"
-#include "reports/image.h"
-#include "spectra/memory.h"
+#include "core/image.h"
+#include "core/memory.h"
 #include "spectra/theory.h"
 
 typedef struct render_settings {

@@ -15,8 +15,8 @@
 #include "core/continuity.h"
 #include "core/grammar.h"
 #include "filters/primitive.h"
-#include "reports/experiment.h"
-#include "reports/source.h"
+#include "reports/run.h"
+#include "sources/source.h"
 #include "textures/texture.h"
 
 static const char *const kinds[] = {"seed", "integer", "real", "choice", "list", "text", "signal"};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The verb `trade`: what every alternative of a choice costs, and what it gets wrong.
-#include "aliasing/trade.h"
+#include "score/trade.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -8,8 +8,8 @@
 #include "cli/words.h"
 #include "core/grammar.h"
 #include "filters/filter.h"
-#include "reports/experiment.h"
-#include "reports/source.h"
+#include "reports/run.h"
+#include "sources/source.h"
 
 #define BL_VERB(stem) extern const bl_verb bl_verb_##stem;
 #include "cli/verbs.def"

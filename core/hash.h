@@ -2,7 +2,7 @@
 //
 // The 64-bit integer hash behind the generator, the streams of a seed, and everything that is drawn
 // once. The lattices, which are drawn from at every sample, have a shorter hash of their own,
-// seeded by this one (noises/lattice.h).
+// seeded by this one (noises/lattice/lattice.h).
 //
 //   mix(x): three rounds of xor-shift, two odd multiplications between them; a bijection of the
 //   64-bit integers. Every input bit flips every output bit with probability 1/2 to within what

@@ -182,7 +182,7 @@ double bl_pulse_train_average(const bl_filter *filter, double low, double high, 
     if (!isfinite(x) || isnan(width) || isnan(low) || isnan(high))
         return NAN;
     pulse p = {low, high};
-    x = remainder(x, 1);                 // exact
+    x = remainder(x, 1);                  // exact
     width = fmax(fabs(width), 0x1p-1000); // 1/width stays finite; nothing is narrower than that
     if (width == 0x1p-1000)
         return at_point(p, x);

@@ -34,15 +34,15 @@ extern "C" {
 #include "aliasing/reference.h"
 #include "aliasing/method.h"
 #include "aliasing/alias.h"
-#include "aliasing/trade.h"
-#include "aliasing/advise.h"
+#include "score/trade.h"
+#include "score/advise.h"
 #include "spectra/window.h"
 #include "spectra/psd.h"
 #include "spectra/autocorrelation.h"
 #include "spectra/histogram.h"
 #include "spectra/theory.h"
-#include "reports/image.h"
-#include "reports/source.h"
+#include "core/image.h"
+#include "sources/source.h"
 
 #ifdef __cplusplus
 }

@@ -62,10 +62,10 @@ struct bandlimit_claims {
     double leak_db;            // ... and the share of variance outside of it, dB of the variance
     double period[4];          // the smallest along each axis, units; 0: none
     double cell;               // the distance of the planes of its lattice; 0: it has none
-    int32_t continuity;        // 0 for C0, 1 for C1, ...; -1: discontinuous; comes as -2: not stated
-    int32_t stationary;        // 1: the same mean and variance all over its cell; comes as 0
-    int32_t isotropic;         // 1: a spectrum without a direction; comes as 0
-    int32_t reserved;          // leave it alone
+    int32_t continuity; // 0 for C0, 1 for C1, ...; -1: discontinuous; comes as -2: not stated
+    int32_t stationary; // 1: the same mean and variance all over its cell; comes as 0
+    int32_t isotropic;  // 1: a spectrum without a direction; comes as 0
+    int32_t reserved;   // leave it alone
 };
 
 enum { BANDLIMIT_NOT_THREAD_SAFE = 1 }; // one call at a time, of all functions of this plugin

@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "core/quadrature.h"
-#include "noises/lattice_repeats.h"
+#include "noises/lattice/lattice_repeats.h"
 
 static void add(bl_terms *terms, bl_term term) {
     assert(terms->count < BL_TERMS_MOST);

@@ -24,8 +24,8 @@
 #define BL_NOISES_CLOSED_FORMS_H
 
 #include "core/signal.h"
-#include "noises/kernel.h"
-#include "noises/lattice.h"
+#include "noises/lattice/kernel.h"
+#include "noises/lattice/lattice.h"
 
 enum { BL_TERMS_MOST = 12 };
 
@@ -67,7 +67,7 @@ double bl_covariance_share_above(bl_covariance *covariance, const void *paramete
 // Fills mean 0 and, if `holds` (the noise has these kernels, and not tables of them), what the
 // lattice allows. The variance, at a random place and seed, where all numbers within the kernels'
 // footprint differ, lattice=hash and no period shorter than it; and of lattice=perm256 without a
-// period, exactly, from how often numbers meet again (noises/lattice_repeats.h; not in four
+// period, exactly, from how often numbers meet again (noises/lattice/lattice_repeats.h; not in four
 // dimensions). On lattice=hash without any period also the covariance's reach, and the claim that
 // along an axis all but leak_db of the variance lies in [0, 1]: the exact share outside, rounded up
 // to the next hundredth of a dB. Otherwise these stay "not stated": numbers of a short period that
@@ -75,7 +75,7 @@ double bl_covariance_share_above(bl_covariance *covariance, const void *paramete
 void bl_terms_describe(const bl_terms *terms, int holds, const bl_lattice_settings *lattice,
                        bl_facts *facts);
 
-// Hard bounds |n| <= value, in exact arithmetic, and how they are proved (noises/bounds.c). `table`
+// Hard bounds |n| <= value, in exact arithmetic, and how they are proved (noises/lattice/bounds.c). `table`
 // is the entries a unit of a tabulated kernel, 0 for the exact one.
 typedef struct bl_bound {
     double value;
@@ -84,7 +84,7 @@ typedef struct bl_bound {
 
 bl_bound bl_bound_value(bl_kernel kernel);               // values in (-1, 1), three axes
 bl_bound bl_bound_gradient(bl_kernel weight, int edges); // unit vectors, or the 12 edges
-// The same in 1 to 4 dimensions; the edges are those of noises/lattice_dimensions.h.
+// The same in 1 to 4 dimensions; the edges are those of noises/lattice/lattice_dimensions.h.
 bl_bound bl_bound_value_in(bl_kernel kernel, unsigned dimensions);
 bl_bound bl_bound_gradient_in(bl_kernel weight, int edges, unsigned dimensions);
 bl_bound bl_bound_hermite(void); // values and tangents in (-1, 1)

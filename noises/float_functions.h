@@ -11,7 +11,7 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "noises/lattice.h"
+#include "noises/lattice/lattice.h"
 
 // 2^x for x <= 0; what is below 2^-126 becomes about 2^-126. A polynomial on [-1/2, 1/2] with a
 // relative error of 1.9e-9, times a power of two put together from its bits.

@@ -9,7 +9,7 @@
 // Phases are uniform and independent. The cosines are divided by the transform of the kernel that
 // reads the tile, so that the powers p_k of the noise as it is read are exactly the target's; the
 // images that any kernel leaves around multiples of `samples` cycles a unit come on top of it and
-// are what the stated variance and leak count besides (noises/tile.h, noises/synthesis.h).
+// are what the stated variance and leak count besides (noises/tiles/tile.h, noises/tiles/synthesis.h).
 //
 // Parameters
 //   seed        64 bits, chooses phases and amplitudes
@@ -20,7 +20,7 @@
 //   from, to    cycles a unit, 0 to 4, in either order; 1/2 and 1, an octave
 //   beta        0 to 8; the density per (cycle a unit)^dims
 //   csv         a table of frequencies and densities that replaces the spectrum
-//               (noises/spectrum_table.h): one-sided in one dimension, two-sided in more
+//               (noises/tiles/spectrum_table.h): one-sided in one dimension, two-sided in more
 //   amplitudes  fixed: g_k = 1; gaussian: g_k of mean square 1, Rayleigh, so that the noise is a
 //               Gaussian process
 //   size        numbers in the tile, a power of two from 8 on, one or one an axis; 0: 256, 64 or 32
@@ -35,7 +35,7 @@
 // with the default settings, -79 dB with samples=8. Class: C2, C1, C0 or discontinuous, that of the
 // kernel. In two and three dimensions the spectrum is isotropic but for the square grid of its
 // harmonics and the images, which are not. The covariance over places and seeds is exact
-// (noises/tile_covariance.h); it repeats with the tile, so that the spectrum is one of lines.
+// (noises/tiles/tile_covariance.h); it repeats with the tile, so that the spectrum is one of lines.
 // Known defects: it repeats, and all of it must be made before one value is known.
 // NaN, infinity, and coordinates beyond 2^62 give NaN; 2^52 is where doubles lose the fraction.
 //
@@ -50,9 +50,9 @@
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
 #include "noises/textbook_loops.h"
-#include "noises/synthesis.h"
-#include "noises/tile_covariance.h"
-#include "noises/tile_points.h"
+#include "noises/tiles/synthesis.h"
+#include "noises/tiles/tile_covariance.h"
+#include "noises/tiles/tile_points.h"
 
 typedef struct fourier_parameters {
     bl_tile tile;

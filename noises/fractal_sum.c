@@ -10,14 +10,14 @@
 //   min     frequency of the first octave, cells of the basis a unit, 1/256 to 4096; default 1
 //   max     octaves end below it, 1/256 to 4096; default 16; the sum is 0 if max <= min
 //   width   units between samples, 0 to inf; default 0, which keeps all octaves
-//   clamp   fade, hard or none: how octaves beyond 1/(2 width) go (noises/octaves.h); what goes
+//   clamp   fade, hard or none: how octaves beyond 1/(2 width) go (noises/octaves/octaves.h); what goes
 //           leaves the mean of the basis, which is 0 for most
 //
 // Units: those in which min = 1 is one cell of the basis. Frequencies are powers of two times min,
 // so for min a power of two p f is exact.
 // Bound: the sum of 1/f times the bound of the basis, because |sum| <= sum of sizes.
 // Mean: the sum of 1/f times the mean of the basis. Variance, covariance, density: the sum over
-// octaves, which are uncorrelated (noises/octaves.h), of those of basis(p f)/f: v/f^2,
+// octaves, which are uncorrelated (noises/octaves/octaves.h), of those of basis(p f)/f: v/f^2,
 // R(lag f)/f^2 and P(u/f)/f^(2 + dims). They hold at a random place; around the origin octaves
 // meet: p = 0 is a lattice point of all of them.
 // Band: up to the highest octave's frequency times the band of the basis; the exact share above.
@@ -29,11 +29,11 @@
 // Known defects: lattice points of octaves coincide, and a zero of gnoise at all integers is one of
 // the sum; fbm has offsets, rotations and other ratios of frequency.
 // Source: peachey2003, sections Spectral Synthesis (at figure 2.38) and Clamping. Deviations: those
-// of the clamping, in noises/octaves.h.
+// of the clamping, in noises/octaves/octaves.h.
 #include <stddef.h>
 
 #include "noises/noise.h"
-#include "noises/octaves_kernel.h"
+#include "noises/octaves/octaves_loops.h"
 #include "noises/textbook_loops.h"
 
 typedef struct fractal_parameters {

@@ -24,7 +24,7 @@
 // Bound: the sum of gain^i times the bound of the basis. Mean: the sum of gain^i times its mean.
 // Variance: the sum of gain^2i times its variance. With seeds=fresh this is exact everywhere, since
 // octaves are independent; with seeds=same at a random place, if lacunarity >= 3/2
-// (noises/octaves.h); else it is not stated. Covariance and density add up in the same way;
+// (noises/octaves/octaves.h); else it is not stated. Covariance and density add up in the same way;
 // with rotate=random the mean over seeds is one over all directions, and they are stated for an
 // isotropic basis alone, which it does not change.
 // Band: up to the highest octave's frequency times the band of the basis; the exact share above.
@@ -40,7 +40,7 @@
 #include <stddef.h>
 
 #include "noises/noise.h"
-#include "noises/octaves_kernel.h"
+#include "noises/octaves/octaves_loops.h"
 #include "noises/textbook_loops.h"
 
 typedef struct fbm_parameters {

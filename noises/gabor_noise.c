@@ -52,11 +52,11 @@
 #include "noises/closed_forms.h"
 #include "noises/common_parameters.h"
 #include "noises/float_functions.h"
-#include "noises/gabor_forms.h"
-#include "noises/impulse_profiles.h"
-#include "noises/impulses.h"
+#include "noises/impulses/gabor_forms.h"
+#include "noises/impulses/impulse_profiles.h"
+#include "noises/impulses/impulses.h"
 #include "noises/noise.h"
-#include "noises/separable.h"
+#include "noises/lattice/separable.h"
 #include "noises/textbook_loops.h"
 
 typedef struct gabor_parameters {
@@ -181,7 +181,7 @@ static inline __attribute__((always_inline)) float impulse_term(const impulse_ke
     return square < 1 ? share : 0;
 }
 
-#include "noises/impulse_points.h"
+#include "noises/impulses/impulse_points.h"
 
 // --- the reference ------------------------------------------------------------------------------
 

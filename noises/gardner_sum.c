@@ -16,7 +16,7 @@
 //   width   units between samples, 0 to inf, which keeps the mean alone; default 0, which
 //           keeps all terms
 //   clamp   fade, hard or none: how a term goes whose larger frequency u_i or v_i is beyond
-//           1/(2 width); the weights are those of noises/octaves.h. It leaves its mean A_i^2/4
+//           1/(2 width); the weights are those of noises/octaves/octaves.h. It leaves its mean A_i^2/4
 //
 // Units: those of the text's shader; the coarsest wave is 43 units long, the finest of 5 terms 2.5.
 // Dimensions: 2.
@@ -26,7 +26,7 @@
 // a_i is a wave in x whose frequency u_i is no sum of harmonics of the u_{i-1} within b_i and their
 // like in y at once: u_2 = 2 u_1, but v_2 = 2.12 v_1.
 // Variance: exact for at most 7 terms, from the covariance over places, which is a closed form
-// without an end (noises/gardner_theory.h): its spectrum is one of lines. Band: not stated; phases
+// without an end (noises/octaves/gardner_theory.h): its spectrum is one of lines. Band: not stated; phases
 // that wave make sidebands beyond the nominal frequencies, at sums with multiples of u_{i-1} and
 // v_{i-1}. Class: C-infinity, all derivatives exist.
 // Period: that of the frequencies, which are whole multiples of a common one: with 5 terms
@@ -46,10 +46,10 @@
 #include "core/continuity.h"
 #include "core/random.h"
 #include "noises/common_parameters.h"
-#include "noises/gardner_theory.h"
+#include "noises/octaves/gardner_theory.h"
 #include "noises/noise.h"
-#include "noises/octaves.h"
-#include "noises/separable.h"
+#include "noises/octaves/octaves.h"
+#include "noises/lattice/separable.h"
 
 enum { TERMS_MOST = BL_GARDNER_TERMS };
 

@@ -8,13 +8,13 @@
 //
 // Parameters
 //   seed     64 bits, chooses values and tangents
-//   lattice  hash, or the text's perm256, which repeats after 256 cells (noises/lattice.h)
+//   lattice  hash, or the text's perm256, which repeats after 256 cells (noises/lattice/lattice.h)
 //   component, period   noises/common_parameters.h; with a period no closed form
 //
 // v_c and the three tangent components g_ca are independent and uniform in (-1, 1). At a lattice
 // point the noise is v_c and its gradient g_c. Units: coordinates in cells. C1 across every face:
 // on a face both sides blend the same corners, and so do their slopes across it. Bound:
-// noises/bounds.c. Mean 0, variance 0.147156463; these and the band are exact,
+// noises/lattice/bounds.c. Mean 0, variance 0.147156463; these and the band are exact,
 // noises/closed_forms.h.
 // NaN, infinity and coordinates beyond 2^62 give NaN; the fraction is lost from 2^52 on.
 //
@@ -27,7 +27,7 @@
 #include "noises/closed_forms.h"
 #include "noises/noise.h"
 #include "noises/textbook.h"
-#include "noises/separable.h"
+#include "noises/lattice/separable.h"
 
 typedef struct hermite_parameters {
     bl_lattice_settings lattice;

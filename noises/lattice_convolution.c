@@ -32,12 +32,12 @@
 
 #include "noises/common_parameters.h"
 #include "noises/closed_forms.h"
-#include "noises/convolution_cells.h"
-#include "noises/convolution_row.h"
-#include "noises/lattice.h"
+#include "noises/impulses/convolution_cells.h"
+#include "noises/impulses/convolution_row.h"
+#include "noises/lattice/lattice.h"
 #include "noises/noise.h"
-#include "noises/radial_kernel.h"
-#include "noises/radial_row.h"
+#include "noises/lattice/radial_kernel.h"
+#include "noises/impulses/radial_row.h"
 #include "noises/textbook_loops.h"
 
 typedef struct convolution_parameters {

@@ -8,7 +8,7 @@
 //             corners plus s^H z, then the middle of each side the mean of its four neighbours,
 //             corners and middles, plus (s/sqrt 2)^H z; then s is halved
 //
-// z random of mean 0 and variance 1, nearly normal (bl_tile_numbers in noises/tile.h); begun
+// z random of mean 0 and variance 1, nearly normal (bl_tile_numbers in noises/tiles/tile.h); begun
 // from one point, 0, on a periodic grid, and times the factor that makes the variance 1.
 //
 // Parameters
@@ -19,15 +19,15 @@
 //            dimension, 64 in two
 //   samples  numbers a unit, 2 to 16, a power of two
 //   interp   how the tile is read: bspline, catmull-rom, linear, nearest; all pass through the
-//            numbers (noises/tile.h)
+//            numbers (noises/tiles/tile.h)
 //
 // Bound: a random number is below 3.4642 in size and means add nothing, so the sum
 // of the deviations of the levels times 3.4642, times the gain of the reading kernel. Mean 0 and
 // variance 1, over places and seeds: exact, from the squares of what each single number does
-// (noises/displacement.c). Period: the tile. Class: C2, C1, C0 or discontinuous, that of the
+// (noises/tiles/displacement.c). Period: the tile. Class: C2, C1, C0 or discontinuous, that of the
 // kernel. Band: none. The spectrum falls about as f^-(2H+1) in one dimension and f^-(2H+2) in two,
 // from 1/tile on, and images of it stand beyond samples/2 cycles a unit. The covariance,
-// over places and seeds, is exact and repeats with the tile (noises/tile_covariance.h).
+// over places and seeds, is exact and repeats with the tile (noises/tiles/tile_covariance.h).
 //
 // Known defects, those of the method: it is not stationary. The variance depends on the place in
 // the tile, 0 at the first point, and points of coarse levels are never touched again, so creases
@@ -41,11 +41,11 @@
 #include <stddef.h>
 
 #include "noises/common_parameters.h"
-#include "noises/displacement.h"
+#include "noises/tiles/displacement.h"
 #include "noises/noise.h"
 #include "noises/textbook_loops.h"
-#include "noises/tile_covariance.h"
-#include "noises/tile_points.h"
+#include "noises/tiles/tile_covariance.h"
+#include "noises/tiles/tile_points.h"
 
 typedef struct midpoint_parameters {
     bl_tile tile;

@@ -6,7 +6,7 @@
 //   w(d) = 1 - SCURVE(|d|),  SCURVE(u) = 3 u^2 - 2 u^3,  or  w(d) = 1 - |d|
 //
 // Parameters
-//   seed, lattice, component, period   of the lattice numbers h_c (noises/lattice.h)
+//   seed, lattice, component, period   of the lattice numbers h_c (noises/lattice/lattice.h)
 //   weights   scurve  the cubic of the ray tracer: C1
 //             linear  what its version for graphics hardware has: C0
 //
@@ -14,7 +14,7 @@
 // 1/2. That is the one difference from vnoise: with v_c = 2 h_c - 1 in (-1, 1) and weights that sum
 // to 1,
 //   n = 1/2 + 1/2 (vnoise:interp=smooth, or interp=linear for weights=linear)
-// seed by seed, and the file shares its loops (noises/value_kernel.h).
+// seed by seed, and the file shares its loops (noises/lattice/value_loops.h).
 //
 // Bound: weights are not negative and sum to 1, so 0 < n < 1. Mean 1/2; variance, band: a quarter
 // of those of the value noise, exact (noises/closed_forms.h). Closed forms are those of n - 1/2.
@@ -29,7 +29,7 @@
 
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
-#include "noises/value_kernel.h"
+#include "noises/lattice/value_loops.h"
 
 typedef struct rayshade_parameters {
     bl_lattice_settings lattice;

@@ -14,7 +14,7 @@
 //   offset      1/2 to 2; default 1: the height of the ridges, where the basis crosses 0
 //
 // Clamping. A removed octave has its mean height E (offset - |basis|)^2, measured on opening
-// (noises/octaves.h), instead of its ridges, and still the weight of the octave before. That keeps
+// (noises/octaves/octaves.h), instead of its ridges, and still the weight of the octave before. That keeps
 // the mean of the first removed octave, if it does not depend on the one before; those after
 // it lose the small difference between the mean of a weight and the weight of a mean. With the
 // defaults the mean is 1.3685 and, with all octaves removed, 1.3807 (each +- 0.001): 0.9 % more.
@@ -33,7 +33,7 @@
 #include <stddef.h>
 
 #include "noises/noise.h"
-#include "noises/octaves_kernel.h"
+#include "noises/octaves/octaves_loops.h"
 #include "noises/textbook_loops.h"
 
 typedef struct ridged_parameters {

@@ -44,16 +44,16 @@
 #include "core/hash.h"
 #include "noises/common_parameters.h"
 #include "noises/closed_forms.h"
-#include "noises/convolution_cells.h"
-#include "noises/convolution_row.h"
-#include "noises/impulse_profiles.h"
-#include "noises/impulses.h"
+#include "noises/impulses/convolution_cells.h"
+#include "noises/impulses/convolution_row.h"
+#include "noises/impulses/impulse_profiles.h"
+#include "noises/impulses/impulses.h"
 #include "noises/noise.h"
-#include "noises/profile_float.h"
-#include "noises/radial_kernel.h"
-#include "noises/sparse_impulses.h"
-#include "noises/sparse_points.h"
-#include "noises/sparse_row.h"
+#include "noises/impulses/profile_float.h"
+#include "noises/lattice/radial_kernel.h"
+#include "noises/impulses/sparse_impulses.h"
+#include "noises/impulses/sparse_points.h"
+#include "noises/impulses/sparse_row.h"
 #include "noises/textbook_loops.h"
 
 typedef struct sparse_parameters {
@@ -192,7 +192,7 @@ static inline __attribute__((always_inline)) float impulse_term(const impulse_ke
     return mark.amplitude * profile_float((bl_profile)form, q);
 }
 
-#include "noises/impulse_points.h"
+#include "noises/impulses/impulse_points.h"
 
 static inline __attribute__((always_inline)) void points_of(const sparse_parameters *p,
                                                             const bl_profile profile,

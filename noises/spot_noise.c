@@ -43,11 +43,11 @@
 
 #include "noises/closed_forms.h"
 #include "noises/common_parameters.h"
-#include "noises/impulse_profiles.h"
-#include "noises/impulses.h"
+#include "noises/impulses/impulse_profiles.h"
+#include "noises/impulses/impulses.h"
 #include "noises/noise.h"
-#include "noises/profile_float.h"
-#include "noises/separable.h"
+#include "noises/impulses/profile_float.h"
+#include "noises/lattice/separable.h"
 #include "noises/textbook_loops.h"
 
 typedef struct spot_parameters {
@@ -159,7 +159,7 @@ static inline __attribute__((always_inline)) float impulse_term(const impulse_ke
     return mark.amplitude * profile_float(profile, (float)q);
 }
 
-#include "noises/impulse_points.h"
+#include "noises/impulses/impulse_points.h"
 
 // --- the reference ------------------------------------------------------------------------------
 

@@ -5,7 +5,7 @@
 //   all points of a periodic grid s numbers apart get s^H z; the grid is refined linearly (along x,
 //   then along y) to one s/lacunarity apart; and so on to s = 1
 //
-// z random of mean 0 and variance 1, nearly normal (bl_tile_numbers in noises/tile.h);
+// z random of mean 0 and variance 1, nearly normal (bl_tile_numbers in noises/tiles/tile.h);
 // times the factor that makes the variance 1. Since a linear refinement of a linear refinement is
 // linear, the noise at its numbers is a sum of value noises with linear interpolation, of spacing
 // lacunarity^l and weight lacunarity^(l H), all on one lattice.
@@ -20,15 +20,15 @@
 //               is below the least size
 //   samples     numbers a unit, 2 to 16, a power of two
 //   interp      how the tile is read: bspline, catmull-rom, linear, nearest; all pass through the
-//               numbers (noises/tile.h)
+//               numbers (noises/tiles/tile.h)
 //
 // Bound: a random number is below 3.4642 in size and a refinement takes means, so
 // the sum of the deviations of the levels times 3.4642, times the gain of the reading kernel. Mean
 // 0 and variance 1, over places and seeds: exact, from the squares of what each single number does
-// (noises/displacement.c). Period: the tile. Class: C2, C1, C0 or discontinuous, that of the
+// (noises/tiles/displacement.c). Period: the tile. Class: C2, C1, C0 or discontinuous, that of the
 // kernel. Band: none. The spectrum falls about as f^-(2H+1) in one dimension and f^-(2H+2) in two,
 // from 1/tile on, and images of it stand beyond samples/2 cycles a unit. The covariance,
-// over places and seeds, is exact and repeats with the tile (noises/tile_covariance.h).
+// over places and seeds, is exact and repeats with the tile (noises/tiles/tile_covariance.h).
 //
 // Known defects: smoother than midpoint displacement, since old points move too, but still
 // cyclostationary on each level's lattice (a point that was refined has a smaller variance than its
@@ -41,11 +41,11 @@
 #include <stddef.h>
 
 #include "noises/common_parameters.h"
-#include "noises/displacement.h"
+#include "noises/tiles/displacement.h"
 #include "noises/noise.h"
 #include "noises/textbook_loops.h"
-#include "noises/tile_covariance.h"
-#include "noises/tile_points.h"
+#include "noises/tiles/tile_covariance.h"
+#include "noises/tiles/tile_points.h"
 
 typedef struct additions_parameters {
     bl_tile tile;

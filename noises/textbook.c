@@ -5,10 +5,10 @@
 #include <pthread.h>
 
 #include "core/random.h"
-#include "noises/lattice.h"
+#include "noises/lattice/lattice.h"
 #include "noises/noise.h"
-#include "noises/tile.h"
-#include "noises/wiener_weights.h"
+#include "noises/tiles/tile.h"
+#include "noises/lattice/wiener_weights.h"
 
 // peachey2003, p. 70: a permutation of 0..255. Data of the text, unchanged.
 // clang-format off

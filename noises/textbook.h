@@ -7,7 +7,7 @@
 // these share. All are `float`.
 //
 // Where the text uses random(), the tables hold the numbers that lattice=perm256 draws
-// (noises/lattice.h), and tiles are those of the noises. So most loops compute, up to rounding, the
+// (noises/lattice/lattice.h), and tiles are those of the noises. So most loops compute, up to rounding, the
 // very field of their noise with the settings that its descriptor names (`textbook_settings`), and
 // t-textbook holds them to it. The others draw otherwise and have its statistics:
 //   scnoise       the text lets cells share impulses

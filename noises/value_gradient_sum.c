@@ -25,10 +25,10 @@
 #include <stddef.h>
 
 #include "noises/common_parameters.h"
-#include "noises/gradient_kernel.h"
+#include "noises/lattice/gradient_loops.h"
 #include "noises/noise.h"
 #include "noises/textbook_loops.h"
-#include "noises/value_kernel.h"
+#include "noises/lattice/value_loops.h"
 
 typedef struct sum_parameters {
     bl_lattice_settings lattice;

@@ -17,12 +17,12 @@
 //              smooth       1 - 3 x^2 + 2 |x|^3, C1, support 1
 //              bspline2     quadratic B-spline, C1, support 3/2, knots at the half integers
 //              bspline3     cubic B-spline, C2, support 2; the B-splines do not interpolate
-//   lattice  hash, or the text's perm256, which repeats after 256 cells (noises/lattice.h)
+//   lattice  hash, or the text's perm256, which repeats after 256 cells (noises/lattice/lattice.h)
 //   component, period   noises/common_parameters.h; with a period no closed form, and
 //            periods of 1 and 2 may be smoother than the class (a period of 1 is a constant)
 //
 // Units: coordinates in cells. Values v_c are uniform in (-1, 1). Bound: the largest sum of |k|
-// over the lattice, to the power of the dimensions (noises/bounds.c). Mean 0, variance 0.179973761
+// over the lattice, to the power of the dimensions (noises/lattice/bounds.c). Mean 0, variance 0.179973761
 // with the default settings; these and the band are exact, noises/closed_forms.h.
 // NaN, infinity and coordinates beyond 2^62 give NaN; the fraction is lost from 2^52 on.
 //
@@ -35,7 +35,7 @@
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
 #include "noises/textbook_loops.h"
-#include "noises/value_dimensions.h"
+#include "noises/lattice/value_dimensions.h"
 
 typedef struct value_parameters {
     bl_lattice_settings lattice;

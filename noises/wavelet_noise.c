@@ -6,7 +6,7 @@
 //   n(p) = sum_j c_j b(2x - j_x) b(2y - j_y) b(2z - j_z),    c = s (r - P r)
 //
 // b is the quadratic B-spline, r random of variance 1, nearly normal (bl_tile_numbers in
-// noises/tile.h), P the projection on the coarser splines, derived in noises/wavelet_tile.h: the
+// noises/tiles/tile.h), P the projection on the coarser splines, derived in noises/tiles/wavelet_tile.h: the
 // least squares over space, exact on the periodic tile.
 //
 // Units: two numbers a unit, so that the highest frequency of the numbers is 1 cycle a unit, and
@@ -33,8 +33,8 @@
 // space of frequencies what is left is a cube without its inner cube, not a shell.
 // Known defects: not isotropic; cyclostationary, with the coarse lattice, one unit, as its cell.
 // The covariance over places and seeds is exact and repeats with the tile
-// (noises/tile_covariance.h): the spectrum is one of lines. Tests hold the power of
-// each harmonic to the formula of noises/wavelet_tile.h.
+// (noises/tiles/tile_covariance.h): the spectrum is one of lines. Tests hold the power of
+// each harmonic to the formula of noises/tiles/wavelet_tile.h.
 // NaN, infinity, and coordinates beyond 2^62 give NaN; 2^52 is where doubles lose the fraction.
 //
 // Source: cook2005. Deviations: the downsampling filter is derived here and exact, where the paper
@@ -46,9 +46,9 @@
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
 #include "noises/textbook.h"
-#include "noises/tile_covariance.h"
-#include "noises/tile_points.h"
-#include "noises/wavelet_tile.h"
+#include "noises/tiles/tile_covariance.h"
+#include "noises/tiles/tile_points.h"
+#include "noises/tiles/wavelet_tile.h"
 
 typedef struct wavelet_parameters {
     bl_tile tile;

@@ -44,7 +44,7 @@
 #include "noises/closed_forms.h"
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
-#include "noises/separable.h"
+#include "noises/lattice/separable.h"
 
 typedef struct white_parameters {
     uint64_t seed;

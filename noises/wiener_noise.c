@@ -11,10 +11,10 @@
 // Kronecker products, of the 4 by 4 covariances on a line. The inverse of a Kronecker product is
 // that of its factors: C^-1 c = C1^-1 c1(x) x C1^-1 c1(y) x C1^-1 c1(z). The 64 weights are
 // products of four numbers an axis, and these are an even kernel k of two pieces
-// (noises/wiener_weights.h).
+// (noises/lattice/wiener_weights.h).
 //
 // Parameters
-//   seed, lattice, component, period   of the values (noises/lattice.h)
+//   seed, lattice, component, period   of the values (noises/lattice/lattice.h)
 //   covariance  r: gaussian exp(-(d/width)^2/2), exponential exp(-|d|/width), sinc
 //               sin(pi d/width)/(pi d/width). Only the gaussian's product is isotropic
 //   width       1/2 to 2 cells, default 1
@@ -41,8 +41,8 @@
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
 #include "noises/textbook.h"
-#include "noises/value_kernel.h"
-#include "noises/wiener_weights.h"
+#include "noises/lattice/value_loops.h"
+#include "noises/lattice/wiener_weights.h"
 
 typedef struct wiener_parameters {
     bl_lattice_settings lattice;

@@ -13,7 +13,7 @@
 #include "core/file.h"
 #include "core/interrupt.h"
 #include "reports/plot.h"
-#include "reports/spawn.h"
+#include "sources/spawn.h"
 
 enum { SAID = 600 }; // bytes of what gnuplot says that fit a message
 

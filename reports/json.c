@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "core/version.h"
-#include "reports/experiment.h"
+#include "reports/run.h"
 #include "reports/output.h"
 
 // Infinity and NaN have no JSON: they are null, as "no limit" and "not measured".

@@ -4,7 +4,7 @@
 #ifndef BL_REPORTS_PAGE_H
 #define BL_REPORTS_PAGE_H
 
-#include "reports/experiment.h"
+#include "reports/run.h"
 
 // Writes the page. Pictures are read from the figures' folders and put into the page; data files
 // are linked relative to it. Errors: BL_DEVICE.

@@ -6,7 +6,7 @@
 
 #include <stdio.h>
 
-#include "reports/experiment.h"
+#include "reports/run.h"
 
 // A verdict with its sign, in its colour.
 void bl_page_verdict(FILE *out, bl_verdict verdict);

@@ -8,7 +8,7 @@
 
 #include "core/file.h"
 #include "core/grammar.h"
-#include "reports/experiment.h"
+#include "reports/run.h"
 #include "reports/page.h"
 
 const char *bl_size_word(bl_size size) {

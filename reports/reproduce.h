@@ -42,7 +42,7 @@ bl_reproduce_settings bl_reproduce_default_settings(void);
 
 // What became of one figure.
 typedef struct bl_figure_result {
-    const struct bl_figure *figure; // reports/experiment.h; static
+    const struct bl_figure *figure; // reports/run.h; static
     char *folder;                   // of its files
     char **files;                   // names in that folder, in the order they were written
     size_t file_count;

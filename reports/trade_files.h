@@ -4,7 +4,7 @@
 #ifndef BL_REPORTS_TRADE_FILES_H
 #define BL_REPORTS_TRADE_FILES_H
 
-#include "aliasing/trade.h"
+#include "score/trade.h"
 #include "reports/plot.h"
 
 // A plot and all that it points to.

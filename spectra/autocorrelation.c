@@ -13,7 +13,7 @@
 
 #include <omp.h>
 
-#include "spectra/memory.h"
+#include "core/memory.h"
 #include "spectra/psd_parts.h"
 
 typedef struct correlation {

@@ -18,7 +18,7 @@
 #include "core/hash.h"
 #include "core/random.h"
 #include "spectra/histogram_parts.h"
-#include "spectra/memory.h"
+#include "core/memory.h"
 
 enum { BLOCK = 4096, GRID_BLOCKS = 8 };
 

@@ -15,7 +15,7 @@
 #include <omp.h>
 
 #include "core/grid.h"
-#include "spectra/memory.h"
+#include "core/memory.h"
 #include "spectra/psd_parts.h"
 #include "spectra/theory.h"
 

@@ -9,7 +9,7 @@
 
 #include "core/hash.h"
 #include "noises/noise.h"
-#include "noises/separable.h"
+#include "noises/lattice/separable.h"
 
 typedef struct block {
     uint64_t seed;

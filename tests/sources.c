@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/sources.h"
 
-#include "reports/source.h"
+#include "sources/source.h"
 #include "tests/temporary.h"
 #include "tests/test.h"
 

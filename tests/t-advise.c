@@ -4,7 +4,7 @@
 // that the whole keeps its word on bricks.
 #include "tests/test.h"
 
-#include "aliasing/advise.h"
+#include "score/advise.h"
 #include "aliasing/usual_methods.h"
 #include "noises/noise.h"
 #include "textures/texture.h"

@@ -7,7 +7,7 @@
 #include "tests/test.h"
 
 #include "noises/noise.h"
-#include "score/band_edges.h"
+#include "score/properties/band_edges.h"
 #include "tests/test_signals.h"
 #include "tests/texts.h"
 

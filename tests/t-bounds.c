@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The hard bounds of noises/bounds.c, each certified: the supremum over a cell of the sum of the
+// The hard bounds of noises/lattice/bounds.c, each certified: the supremum over a cell of the sum of the
 // largest sizes that the terms can take lies below the constant, and within a stated slack of it.
 //
 // Branch and bound: on a box the sum is at most the sum of the terms' own largest values there, and
@@ -13,8 +13,8 @@
 #include <gsl/gsl_cdf.h>
 
 #include "noises/closed_forms.h"
-#include "noises/impulse_profiles.h"
-#include "noises/wiener_weights.h"
+#include "noises/impulses/impulse_profiles.h"
+#include "noises/lattice/wiener_weights.h"
 #include "tests/texts.h"
 
 typedef struct box {
@@ -95,7 +95,7 @@ static double gradient_upper(const box *at, const void *context) {
     return sum;
 }
 
-// Certified by search for the edges. For unit vectors the proof is in noises/bounds.c; here each of
+// Certified by search for the edges. For unit vectors the proof is in noises/lattice/bounds.c; here each of
 // its steps: e(t) <= 1/4 for every fade, and the middle reaches sqrt(3)/2.
 static void test_gradient_bounds(void **state) {
     (void)state;

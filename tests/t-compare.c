@@ -142,8 +142,7 @@ static void test_the_legend_has_the_closed_form_that_a_later_panel_shows(void **
     (void)state;
     char folder[300], path[400];
     snprintf(folder, sizeof folder, "%s", bl_test_path("legend"));
-    json_decref(RUN_JSON("compare", function("full"), "gnoise", "--quick", "-o", folder,
-                         "--json"));
+    json_decref(RUN_JSON("compare", function("full"), "gnoise", "--quick", "-o", folder, "--json"));
     snprintf(path, sizeof path, "%s/compare-spectrum/spectra-line.gp", folder);
     char *script = bl_test_read(path);
     assert_non_null(script);
@@ -159,8 +158,7 @@ static void test_the_legend_has_the_closed_form_that_a_later_panel_shows(void **
 static void test_what_is_no_number_is_told_before_anything_is_made(void **state) {
     (void)state;
     const char *folder = bl_test_path("nowhere");
-    bl_ran ran =
-        bl_run_program("compare", "gnoise", function("nowhere"), "--quick", "-o", folder);
+    bl_ran ran = bl_run_program("compare", "gnoise", function("nowhere"), "--quick", "-o", folder);
     assert_int_equal(ran.status, 3);
     assert_non_null(strstr(ran.err, "functions.so:nowhere' gives nan at ("));
     assert_int_not_equal(access(folder, F_OK), 0);

@@ -9,10 +9,10 @@
 
 #include "core/random.h"
 #include "core/statistics.h"
-#include "noises/convolution_row.h"
+#include "noises/impulses/convolution_row.h"
 #include "noises/noise.h"
-#include "noises/radial_kernel.h"
-#include "noises/sparse_impulses.h"
+#include "noises/lattice/radial_kernel.h"
+#include "noises/impulses/sparse_impulses.h"
 #include "noises/textbook.h"
 #include "tests/texts.h"
 

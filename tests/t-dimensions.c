@@ -11,7 +11,7 @@
 #include "core/hash.h"
 #include "core/random.h"
 #include "noises/closed_forms.h"
-#include "noises/lattice_dimensions.h"
+#include "noises/lattice/lattice_dimensions.h"
 #include "spectra/theory.h"
 #include "tests/program.h"
 #include "tests/texts.h"

@@ -13,11 +13,11 @@
 #include "core/quadrature.h"
 #include "core/random.h"
 #include "core/statistics.h"
-#include "noises/displacement.h"
-#include "noises/kernel.h"
+#include "noises/tiles/displacement.h"
+#include "noises/lattice/kernel.h"
 #include "noises/noise.h"
-#include "noises/synthesis.h"
-#include "noises/wavelet_tile.h"
+#include "noises/tiles/synthesis.h"
+#include "noises/tiles/wavelet_tile.h"
 #include "tests/temporary.h"
 #include "tests/texts.h"
 
@@ -372,7 +372,7 @@ static void test_the_residual_is_orthogonal_to_the_coarse_splines(void **state) 
 }
 
 // The expected power at every harmonic, or at each `stride`-th, from what becomes of each single
-// number: exact, without the algebra of noises/wavelet_tile.h.
+// number: exact, without the algebra of noises/tiles/wavelet_tile.h.
 static void check_wavelet_power(unsigned dims, const uint32_t size[3], size_t stride) {
     size_t count = bl_tile_count(size);
     double *one = malloc(count * sizeof *one), *power = calloc(count, sizeof *power);

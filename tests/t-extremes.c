@@ -8,7 +8,7 @@
 #include <mpfr.h>
 
 #include "core/random.h"
-#include "noises/lattice.h"
+#include "noises/lattice/lattice.h"
 #include "tests/float_error.h"
 #include "tests/texts.h"
 

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "core/version.h"
-#include "reports/experiment.h"
+#include "reports/run.h"
 
 static bl_reproduction first_run; // of all figures, shared by the tests
 

@@ -8,8 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "reports/image.h"
-#include "reports/source.h"
+#include "core/image.h"
+#include "sources/source.h"
 #include "spectra/psd.h"
 #include "tests/sources.h"
 

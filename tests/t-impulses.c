@@ -15,11 +15,11 @@
 
 #include "core/random.h"
 #include "core/statistics.h"
-#include "noises/gabor_forms.h"
-#include "noises/impulse_profiles.h"
-#include "noises/impulses.h"
+#include "noises/impulses/gabor_forms.h"
+#include "noises/impulses/impulse_profiles.h"
+#include "noises/impulses/impulses.h"
 #include "noises/noise.h"
-#include "noises/profile_float.h"
+#include "noises/impulses/profile_float.h"
 #include "tests/texts.h"
 
 #define ERROR_RATE 1e-6

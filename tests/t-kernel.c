@@ -7,7 +7,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
-#include "noises/kernel.h"
+#include "noises/lattice/kernel.h"
 
 // --- the formulas, written a second time ---------------------------------------------------------
 

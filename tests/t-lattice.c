@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The random numbers of the lattice, noises/lattice.h. Error rate: a true random function passes
+// The random numbers of the lattice, noises/lattice/lattice.h. Error rate: a true random function passes
 // every statistical limit below with probability above 1 - 1e-9 for all its comparisons together
 // (a normal deviate beyond `limit` standard deviations, Bonferroni over the comparisons).
 #include "tests/test.h"
@@ -9,9 +9,9 @@
 #include "core/quadrature.h"
 #include "core/random.h"
 #include "core/statistics.h"
-#include "noises/kernel.h"
-#include "noises/lattice.h"
-#include "noises/lattice_repeats.h"
+#include "noises/lattice/kernel.h"
+#include "noises/lattice/lattice.h"
+#include "noises/lattice/lattice_repeats.h"
 #include "tests/texts.h"
 
 // The bits of a word that are used bare, and those of a mixed word.

@@ -1,69 +1,79 @@
 // SPDX-License-Identifier: MIT
 //
-// The layer rule, read off the #include lines: each folder includes only what stands above it, only
-// core/fft.c knows FFTW, only reports/oiio.cpp knows OpenImageIO; every source has its licence.
+// The layer rule, read off the #include lines and off the symbols that the linker joins: each folder
+// knows only what stands above it, only core/fft.c knows FFTW, only core/oiio.cpp knows OpenImageIO;
+// every source has its licence.
 #include "tests/test.h"
 
 #include <dirent.h>
+#include <unistd.h>
+
+enum { KNOWN_MOST = 10 };
 
 typedef struct layer {
-    const char *folder;
-    const char *may_include[10];
+    const char *folder;            // a folder below it is of the same layer
+    const char *knows[KNOWN_MOST]; // beside itself
 } layer;
 
 static const layer layers[] = {
-    {"core", {"core"}},
-    {"filters", {"core", "filters"}},
-    {"filters/primitives", {"core", "filters"}},
-    {"noises", {"core", "filters", "noises"}},
-    {"spectra", {"core", "spectra"}},
-    {"textures", {"core", "filters", "noises", "spectra", "textures"}},
-    {"aliasing", {"core", "filters", "noises", "spectra", "textures", "aliasing"}},
-    {"aliasing/views", {"core", "filters", "noises", "spectra", "textures", "aliasing"}},
-    {"aliasing/methods", {"core", "filters", "noises", "spectra", "textures", "aliasing"}},
-    {"aliasing/trades", {"core", "filters", "noises", "spectra", "textures", "aliasing"}},
-    {"score", {"core", "filters", "noises", "spectra", "textures", "aliasing", "score"}},
+    {"core", {0}},
+    {"filters", {"core"}},
+    {"noises", {"core", "filters"}},
+    {"textures", {"core", "filters", "noises"}},
+    {"sources", {"core", "filters", "noises", "textures"}},
+    {"spectra", {"core"}},
+    {"aliasing", {"core", "filters", "noises", "textures", "sources", "spectra"}},
+    {"score", {"core", "filters", "noises", "textures", "sources", "spectra", "aliasing"}},
     {"reports",
-     {"core", "filters", "noises", "spectra", "textures", "aliasing", "score", "reports"}},
-    {"reports/figures",
-     {"core", "filters", "noises", "spectra", "textures", "aliasing", "score", "reports",
-      "reports/figures"}},
+     {"core", "filters", "noises", "textures", "sources", "spectra", "aliasing", "score"}},
     {"cli",
-     {"core", "filters", "noises", "spectra", "textures", "aliasing", "score", "reports", "cli"}},
+     {"core", "filters", "noises", "textures", "sources", "spectra", "aliasing", "score",
+      "reports"}},
 };
+enum { LAYERS = sizeof layers / sizeof *layers };
 
-// The closed forms of the spectra may read the descriptors of the noises.
-static int is_allowed_exception(const char *file, const char *include) {
-    return strncmp(file, "spectra/theory", 14) == 0 && strcmp(include, "noises/noise.h") == 0;
+// What one thing may know beside: the closed forms of the spectra read the descriptors of noises,
+// and the noises know of the filters nothing but the fade of octaves.
+static int is_allowed_exception(const char *file, const char *known) {
+    return (strncmp(file, "spectra/theory", 14) == 0 && strcmp(known, "noises/noise.h") == 0) ||
+           (strncmp(file, "core/oiio.", 10) == 0 &&
+            strncmp(known, "sources/sampled_grid.", 21) == 0);
 }
 
-static const layer *layer_of(const char *folder) {
-    for (size_t i = 0; i < sizeof layers / sizeof *layers; i++)
-        if (strcmp(layers[i].folder, folder) == 0)
+static int is_forbidden_besides(const char *file, const char *known) {
+    return strncmp(file, "noises/", 7) == 0 && strncmp(known, "filters/", 8) == 0 &&
+           strncmp(known, "filters/octave_fade.", 20) != 0;
+}
+
+// The layer of a file by its first folder; NULL for a system header.
+static const layer *layer_of(const char *file) {
+    size_t length = strcspn(file, "/");
+    for (size_t i = 0; i < LAYERS && file[length]; i++)
+        if (strlen(layers[i].folder) == length && strncmp(layers[i].folder, file, length) == 0)
             return &layers[i];
-    return NULL; // a system header's
+    return NULL;
 }
 
-static int layer_allows(const layer *from, const char *file, const char *include) {
-    char folder[64];
-    const char *slash = strrchr(include, '/');
-    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - include) : 0, include);
-    if (!layer_of(folder))
+static int may_know(const char *file, const char *known) {
+    const layer *from = layer_of(file), *to = layer_of(known);
+    if (!to || is_allowed_exception(file, known))
         return 1;
-    for (size_t i = 0; i < 10 && from->may_include[i]; i++)
-        if (strcmp(from->may_include[i], folder) == 0)
+    if (is_forbidden_besides(file, known))
+        return 0;
+    for (size_t i = 0; i < KNOWN_MOST && from->knows[i]; i++)
+        if (strcmp(from->knows[i], to->folder) == 0)
             return 1;
-    return is_allowed_exception(file, include);
+    return from == to;
 }
 
 static void check_libraries(const char *file, const char *include) {
     if (strstr(include, "fftw") && strcmp(file, "core/fft.c") != 0)
         fail_msg("%s includes <%s>: only core/fft.c knows FFTW", file, include);
-    if (strstr(include, "OpenImageIO") && strcmp(file, "reports/oiio.cpp") != 0)
-        fail_msg("%s includes <%s>: only reports/oiio.cpp knows OpenImageIO", file, include);
+    if (strstr(include, "OpenImageIO") && strcmp(file, "core/oiio.cpp") != 0)
+        fail_msg("%s includes <%s>: only core/oiio.cpp knows OpenImageIO", file, include);
 }
 
-static size_t check_file(const layer *from, const char *file) {
+static size_t check_file(const char *file) {
     char line[1024], include[256];
     size_t count = 0;
     FILE *stream = fopen(file, "r");
@@ -73,7 +83,7 @@ static size_t check_file(const layer *from, const char *file) {
     while (fgets(line, sizeof line, stream)) {
         if (sscanf(line, " #include \"%255[^\"]\"", include) == 1) {
             count++;
-            if (!layer_allows(from, file, include))
+            if (!may_know(file, include))
                 fail_msg("%s includes \"%s\", which stands below its layer", file, include);
             check_libraries(file, include);
         } else if (sscanf(line, " #include <%255[^>]>", include) == 1) {
@@ -84,43 +94,158 @@ static size_t check_file(const layer *from, const char *file) {
     return count;
 }
 
-static int is_source(const char *name) {
+static int has_ending(const char *name, const char *ending) {
     const char *dot = strrchr(name, '.');
-    return dot && name[0] != '.' &&
-           (strcmp(dot, ".c") == 0 || strcmp(dot, ".h") == 0 || strcmp(dot, ".cpp") == 0);
+    return dot && name[0] != '.' && strcmp(dot, ending) == 0;
+}
+
+typedef size_t visitor(const char *file, const char *name, void *user);
+
+// Visits every file below a folder; returns the sum of what the visits return.
+static size_t walk(const char *folder, visitor *visit, void *user) {
+    size_t sum = 0;
+    DIR *directory = opendir(folder);
+    if (!directory)
+        return 0; // a folder of a part that is not built yet
+    for (struct dirent *entry; (entry = readdir(directory));) {
+        char file[512];
+        if (entry->d_name[0] == '.')
+            continue;
+        snprintf(file, sizeof file, "%s/%s", folder, entry->d_name);
+        sum += entry->d_type == DT_DIR ? walk(file, visit, user) : visit(file, entry->d_name, user);
+    }
+    closedir(directory);
+    return sum;
+}
+
+static size_t visit_source(const char *file, const char *name, void *user) {
+    (void)user;
+    return has_ending(name, ".c") || has_ending(name, ".h") || has_ending(name, ".cpp")
+               ? check_file(file)
+               : 0;
 }
 
 static void test_each_folder_includes_only_what_stands_above_it(void **state) {
     (void)state;
     size_t includes = 0;
-    for (size_t i = 0; i < sizeof layers / sizeof *layers; i++) {
-        DIR *directory = opendir(layers[i].folder);
-        if (!directory)
-            continue; // a folder of a part that is not built yet
-        for (struct dirent *entry; (entry = readdir(directory));) {
-            char file[512];
-            snprintf(file, sizeof file, "%s/%s", layers[i].folder, entry->d_name);
-            if (is_source(entry->d_name))
-                includes += check_file(&layers[i], file);
-        }
-        closedir(directory);
-    }
-    assert_true(includes > 50); // the tests run from the top of the tree
+    for (size_t i = 0; i < LAYERS; i++)
+        includes += walk(layers[i].folder, visit_source, NULL);
+    assert_true(includes > 500); // the tests run from the top of the tree
 }
 
-static void test_the_check_sees_a_forbidden_include(void **state) {
+// --- symbols ------------------------------------------------------------------------------------
+
+enum { SYMBOLS_MOST = 60000, NAME_SIZE = 160 };
+
+typedef struct symbol {
+    char name[NAME_SIZE];
+    char file[NAME_SIZE]; // the object below the build folder: "noises/tiles/tile.o"
+    int defined;
+} symbol;
+
+typedef struct symbols {
+    symbol *list;
+    size_t count;
+} symbols;
+
+static const char *build_folder(void) {
+    const char *folder = getenv("BL_BUILD");
+    return folder ? folder : "build";
+}
+
+// Objects of sources that have moved on stay in the build folder; they do not count.
+static int has_source(const char *object) {
+    static const char *const endings[] = {"c", "cpp"};
+    char source[NAME_SIZE];
+    for (size_t i = 0; i < 2; i++) {
+        snprintf(source, sizeof source, "%.*s.%s", (int)strcspn(object, "."), object, endings[i]);
+        if (access(source, R_OK) == 0)
+            return 1;
+    }
+    return 0;
+}
+
+static size_t visit_object(const char *file, const char *name, void *user) {
+    symbols *all = user;
+    char command[600], line[1024];
+    if (!has_ending(name, ".o") || !has_source(file + strlen(build_folder()) + 1))
+        return 0;
+    snprintf(command, sizeof command, "nm -P -g '%s'", file);
+    FILE *pipe = popen(command, "r");
+    assert_non_null(pipe);
+    while (fgets(line, sizeof line, pipe)) {
+        symbol *next = &all->list[all->count];
+        char kind;
+        if (sscanf(line, "%159s %c", next->name, &kind) != 2 || strncmp(next->name, "_Z", 2) == 0)
+            continue;
+        snprintf(next->file, sizeof next->file, "%s", file + strlen(build_folder()) + 1);
+        next->defined = kind != 'U' && kind != 'w' && kind != 'v';
+        assert_true(++all->count < SYMBOLS_MOST);
+    }
+    assert_int_equal(pclose(pipe), 0);
+    return 1;
+}
+
+static int by_name(const void *a, const void *b) {
+    return strcmp(((const symbol *)a)->name, ((const symbol *)b)->name);
+}
+
+// Checks all uses of one name; the first `count` symbols of the list have it.
+static size_t check_uses(const symbol *list, size_t count) {
+    size_t arrows = 0;
+    for (size_t d = 0; d < count; d++)
+        for (size_t u = 0; list[d].defined && u < count; u++) {
+            if (list[u].defined)
+                continue;
+            arrows++;
+            if (!may_know(list[u].file, list[d].file))
+                fail_msg("%s uses %s of %s, which stands below its layer", list[u].file,
+                         list[d].name, list[d].file);
+        }
+    return arrows;
+}
+
+static void test_each_folder_links_only_what_stands_above_it(void **state) {
     (void)state;
-    assert_false(layer_allows(layer_of("core"), "core/x.c", "noises/noise.h"));
-    assert_false(layer_allows(layer_of("noises"), "noises/x.c", "spectra/psd.h"));
-    assert_false(layer_allows(layer_of("spectra"), "spectra/psd.c", "noises/noise.h"));
-    assert_true(layer_allows(layer_of("spectra"), "spectra/theory.c", "noises/noise.h"));
-    assert_true(layer_allows(layer_of("core"), "core/x.c", "sys/stat.h"));
+    symbols all = {.list = calloc(SYMBOLS_MOST, sizeof *all.list)};
+    size_t objects = 0, arrows = 0, same;
+    assert_non_null(all.list);
+    for (size_t i = 0; i < LAYERS; i++) {
+        char folder[256];
+        snprintf(folder, sizeof folder, "%s/%s", build_folder(), layers[i].folder);
+        objects += walk(folder, visit_object, &all);
+    }
+    qsort(all.list, all.count, sizeof *all.list, by_name);
+    for (size_t i = 0; i < all.count; i += same) {
+        for (same = 1;
+             i + same < all.count && strcmp(all.list[i].name, all.list[i + same].name) == 0;)
+            same++;
+        arrows += check_uses(&all.list[i], same);
+    }
+    free(all.list);
+    assert_true(objects > 200 && arrows > 1000);
+}
+
+static void test_the_check_sees_a_forbidden_arrow(void **state) {
+    (void)state;
+    assert_false(may_know("core/x.c", "noises/noise.h"));
+    assert_false(may_know("noises/x.c", "spectra/psd.h"));
+    assert_false(may_know("noises/tiles/x.o", "filters/filter.o"));
+    assert_false(may_know("textures/image.o", "reports/x.o"));
+    assert_false(may_know("spectra/psd.c", "noises/noise.h"));
+    assert_true(may_know("spectra/theory.c", "noises/noise.h"));
+    assert_true(may_know("noises/octaves/x.o", "filters/octave_fade.o"));
+    assert_true(may_know("reports/figures/x.c", "reports/run.h"));
+    assert_true(may_know("core/x.c", "sys/stat.h"));
+    const symbol upward[] = {{"bl_x", "reports/x.o", 1}, {"bl_x", "reports/y.o", 0}};
+    assert_int_equal(check_uses(upward, 2), 1);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_each_folder_includes_only_what_stands_above_it),
-        cmocka_unit_test(test_the_check_sees_a_forbidden_include),
+        cmocka_unit_test(test_each_folder_links_only_what_stands_above_it),
+        cmocka_unit_test(test_the_check_sees_a_forbidden_arrow),
     };
     return bl_run_tests(tests);
 }

@@ -8,7 +8,7 @@
 
 #include "core/random.h"
 #include "core/statistics.h"
-#include "noises/octaves.h"
+#include "noises/octaves/octaves.h"
 #include "tests/jumps.h"
 #include "tests/texts.h"
 

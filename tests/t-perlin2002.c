@@ -8,7 +8,7 @@
 
 #include "core/random.h"
 #include "core/statistics.h"
-#include "noises/lattice.h"
+#include "noises/lattice/lattice.h"
 #include "tests/texts.h"
 
 static int is_edge(const double g[3], const int edge[3]) {

@@ -11,7 +11,7 @@
 
 #include "core/grid.h"
 #include "include/bandlimit_plugin.h"
-#include "reports/source.h"
+#include "sources/source.h"
 #include "spectra/histogram.h"
 #include "spectra/psd.h"
 #include "tests/program.h"

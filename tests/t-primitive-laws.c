@@ -288,8 +288,7 @@ static void test_a_box_is_the_mean_of_its_halves(void **state) {
 
 // Whole periods further the average is the same to the last bit, as long as x is a float.
 static void test_periodic_averages_keep_their_digits_far_out(void **state) {
-    static const char *const texts[] = {"mod", "mod:period=0.5", "pulse", "sine",
-                                        "sineturbulence"};
+    static const char *const texts[] = {"mod", "mod:period=0.5", "pulse", "sine", "sineturbulence"};
     (void)state;
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         bl_signal *signal = open_text("%s", texts[i]);

@@ -16,8 +16,8 @@
 #include <unistd.h>
 
 #include "core/grid.h"
-#include "reports/command.h"
-#include "reports/source.h"
+#include "sources/command.h"
+#include "sources/source.h"
 #include "spectra/histogram.h"
 #include "tests/program.h"
 #include "tests/sources.h"

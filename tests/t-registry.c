@@ -43,9 +43,8 @@ static void test_every_setting_states_its_facts(void **state) {
               facts->bound_proof && !isinf(facts->mean) && facts->continuity >= -1 &&
               facts->period[0] >= 0 && facts->far > 0x1p31))
             fail_msg("%s: incomplete facts", list->text[i]);
-        if (signal->closed_form &&
-            !(facts->variance >= 0 && facts->covariance_reach > 0 &&
-              (facts->band_to > 0 || isinf(facts->covariance_reach))))
+        if (signal->closed_form && !(facts->variance >= 0 && facts->covariance_reach > 0 &&
+                                     (facts->band_to > 0 || isinf(facts->covariance_reach))))
             fail_msg("%s: a closed form without variance, reach or band", list->text[i]);
         if (bl_signal_has_density(signal) && !signal->functions->density)
             fail_msg("%s: its covariance ends, and it states no density", list->text[i]);

@@ -8,7 +8,7 @@
 #include <stdatomic.h>
 
 #include "noises/noise.h"
-#include "reports/source.h"
+#include "sources/source.h"
 #include "score/score.h"
 #include "spectra/psd.h"
 #include "tests/broken.h"

@@ -2,14 +2,14 @@
 //
 // The separable lattice noises (vnoise, gnoise, vgnoise, hermite) against brute force: the formula
 // at the head of each file, summed over all lattice points within three cells, with kernels written
-// here from the textbook and lattice numbers from noises/lattice.h. It shares with the noises
+// here from the textbook and lattice numbers from noises/lattice/lattice.h. It shares with the noises
 // neither their cells, nor their loops, nor their kernels.
 #include "tests/test.h"
 
 #include "core/hash.h"
 #include "core/random.h"
-#include "noises/kernel.h"
-#include "noises/lattice.h"
+#include "noises/lattice/kernel.h"
+#include "noises/lattice/lattice.h"
 #include "noises/noise.h"
 #include "tests/texts.h"
 
@@ -73,7 +73,7 @@ static double tangent(double x) {
 typedef struct named_kernel {
     const char *name;
     kernel_function *kernel;
-    bl_kernel closed; // the same in noises/kernel.h
+    bl_kernel closed; // the same in noises/lattice/kernel.h
     int interpolates, reproduces_lines;
 } named_kernel;
 

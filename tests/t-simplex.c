@@ -7,9 +7,9 @@
 #include "tests/test.h"
 
 #include "core/random.h"
-#include "noises/lattice.h"
-#include "noises/simplex_place.h"
-#include "noises/simplex_theory.h"
+#include "noises/lattice/lattice.h"
+#include "noises/lattice/simplex_place.h"
+#include "noises/lattice/simplex_theory.h"
 #include "tests/texts.h"
 
 static double skew_of(unsigned dims) {

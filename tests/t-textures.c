@@ -9,8 +9,8 @@
 #include "core/random.h"
 #include "filters/filter.h"
 #include "noises/noise.h"
-#include "reports/image.h"
-#include "reports/source.h"
+#include "core/image.h"
+#include "sources/source.h"
 #include "textures/colour_spline.h"
 #include "textures/texture.h"
 

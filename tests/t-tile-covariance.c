@@ -8,9 +8,9 @@
 
 #include "core/quadrature.h"
 #include "core/random.h"
-#include "noises/displacement.h"
-#include "noises/synthesis.h"
-#include "noises/wavelet_tile.h"
+#include "noises/tiles/displacement.h"
+#include "noises/tiles/synthesis.h"
+#include "noises/tiles/wavelet_tile.h"
 #include "spectra/theory.h"
 #include "tests/texts.h"
 

@@ -7,7 +7,7 @@
 
 #include <sys/stat.h>
 
-#include "reports/image.h"
+#include "core/image.h"
 #include "spectra/histogram.h"
 #include "spectra/psd.h"
 #include "tests/sources.h"

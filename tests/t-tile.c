@@ -4,9 +4,9 @@
 #include "tests/test.h"
 
 #include "core/quadrature.h"
-#include "noises/kernel.h"
+#include "noises/lattice/kernel.h"
 #include "noises/noise.h"
-#include "noises/tile.h"
+#include "noises/tiles/tile.h"
 
 static const char *const words[] = {"bspline3", "catmull-rom", "linear",
                                     "nearest",  "bspline2",    "bspline2 wide"};

@@ -10,9 +10,9 @@
 
 #include <gsl/gsl_integration.h>
 
-#include "aliasing/setting.h"
-#include "aliasing/trade.h"
-#include "aliasing/trade_signals.h"
+#include "core/setting.h"
+#include "score/trade.h"
+#include "score/trade_signals.h"
 #include "core/random.h"
 #include "filters/primitive.h"
 #include "noises/noise.h"

@@ -9,8 +9,8 @@
 #include <gsl/gsl_linalg.h>
 
 #include "core/random.h"
-#include "noises/lattice.h"
-#include "noises/wiener_weights.h"
+#include "noises/lattice/lattice.h"
+#include "noises/lattice/wiener_weights.h"
 #include "tests/texts.h"
 
 static const double widths[] = {0.5, 0.7, 1, 1.4, 2};

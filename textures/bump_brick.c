@@ -28,7 +28,7 @@
 
 #include <math.h>
 
-#include "noises/octaves.h"
+#include "filters/octave_fade.h"
 #include "textures/brick_shape.h"
 #include "textures/sampling.h"
 

@@ -25,7 +25,7 @@
 #include <math.h>
 
 #include "filters/pulse_train.h"
-#include "noises/octaves.h"
+#include "filters/octave_fade.h"
 #include "textures/sampling.h"
 
 typedef struct checkerboard_parameters {

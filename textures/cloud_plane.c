@@ -27,7 +27,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "noises/octaves.h"
+#include "filters/octave_fade.h"
 #include "noises/noise.h"
 #include "textures/sampling.h"
 #include "textures/texture.h"

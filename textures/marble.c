@@ -11,7 +11,7 @@
 //   filter   none
 //            clamp, fade   octaves beyond the Nyquist limit of the width are removed, at once or
 //            from
-//                     half the limit on (noises/octaves.h). What the map would have made of them is
+//                     half the limit on (noises/octaves/octaves.h). What the map would have made of them is
 //                     lost: at last all is the one colour of m = 0
 //            map      fade, and the map is averaged over a normal distribution with the variance
 //                     that the octaves have lost, so that the mean colour stays
@@ -29,7 +29,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "noises/octaves.h"
+#include "noises/octaves/octaves.h"
 #include "textures/colour_spline.h"
 #include "textures/sampling.h"
 

@@ -33,7 +33,7 @@
 // form=printed.
 #include <math.h>
 
-#include "noises/octaves.h"
+#include "filters/octave_fade.h"
 #include "textures/noise_source.h"
 #include "textures/star_shape.h"
 

@@ -27,7 +27,7 @@
 // are those of perlin1985. All numbers are ours.
 #include <math.h>
 
-#include "noises/octaves.h"
+#include "filters/octave_fade.h"
 #include "textures/colour_spline.h"
 #include "textures/noise_source.h"
 #include "textures/sampling.h"

@@ -31,7 +31,7 @@
 #include <complex.h>
 #include <math.h>
 
-#include "noises/octaves.h"
+#include "filters/octave_fade.h"
 #include "textures/sampling.h"
 
 typedef struct zone_plate_parameters {

@@ -8,7 +8,7 @@
 #include "aliasing/alias.h"
 #include "aliasing/energy.h"
 #include "reports/figures/estimates.h"
-#include "reports/source.h"
+#include "sources/source.h"
 #include "textures/texture.h"
 
 enum { OWN, POINT, REGULAR, RANDOM, KINDS };

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "aliasing/scene.h"
-#include "reports/source.h"
+#include "sources/source.h"
 #include "textures/texture.h"
 
 enum { ENLARGED = 4, SIDE = ENLARGED * BL_WALL_PIXELS };

@@ -6,7 +6,7 @@
 #define BL_REPORTS_FIGURES_BRICK_WALL_H
 
 #include "aliasing/alias.h"
-#include "reports/experiment.h"
+#include "reports/run.h"
 
 enum { BL_WALL_PIXELS = 128, BL_WALL_JOINTS = 20 };
 

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "aliasing/trade.h"
+#include "score/trade.h"
 #include "filters/primitive.h"
 #include "noises/noise.h"
 #include "reports/figures/estimates.h"

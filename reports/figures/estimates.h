@@ -5,7 +5,7 @@
 #define BL_REPORTS_FIGURES_ESTIMATES_H
 
 #include "core/statistics.h"
-#include "reports/experiment.h"
+#include "reports/run.h"
 
 // A number that is computed, not sampled: it has no interval because it needs none.
 bl_estimate bl_exactly(double value, double samples);

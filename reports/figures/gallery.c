@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "reports/source.h"
+#include "sources/source.h"
 
 enum { LONGEST_LABEL = 44, LONGEST_KEY = 40 };
 

@@ -8,7 +8,7 @@
 #define BL_REPORTS_FIGURES_GALLERY_H
 
 #include "core/signal.h"
-#include "reports/experiment.h"
+#include "reports/run.h"
 #include "spectra/psd.h"
 
 typedef struct bl_gallery {

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #include "core/random.h"
-#include "noises/octaves.h"
+#include "noises/octaves/octaves.h"
 #include "reports/figures/all_noises.h"
 #include "reports/figures/estimates.h"
 

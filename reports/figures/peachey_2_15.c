@@ -29,8 +29,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         {"pulse:low=0.4,high=0.6", "pulse of mod", BL_INK_MEASURED, BL_STROKE_LINE},
         {"pulse:low=0.4,high=0.6,period=inf", "pulse of x", BL_INK_FOURTH, BL_STROKE_DASHED},
         {"mod", "mod(x, a) / a", BL_INK_SECOND, BL_STROKE_DASHED},
-        {"pulse:low=0.4,high=0.6,width=0.3", "averaged over 0.3", BL_INK_THEORY,
-         BL_STROKE_THIN},
+        {"pulse:low=0.4,high=0.6,width=0.3", "averaged over 0.3", BL_INK_THEORY, BL_STROKE_THIN},
         {"pulse:low=0.4,high=0.6,width=1", "over 1", BL_INK_THIRD, BL_STROKE_DASHED}};
     static const bl_curves plot = {
         .title = "How does mod make a function periodic?",

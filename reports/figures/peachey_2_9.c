@@ -24,8 +24,10 @@ static double area(const bl_gallery *g, size_t index) {
 static bl_status run_figure(bl_run *run, bl_message *message) {
     static const bl_curve curves[] = {
         {"pulse:low=0.5,high=1.5,period=inf", "pulse", BL_INK_MEASURED, BL_STROKE_LINE},
-        {"pulse:low=0.5,high=1.5,period=inf,width=0.5", "averaged over 1/2", BL_INK_THEORY, BL_STROKE_THIN},
-        {"pulse:low=0.5,high=1.5,period=inf,width=2", "averaged over 2", BL_INK_SECOND, BL_STROKE_DASHED},
+        {"pulse:low=0.5,high=1.5,period=inf,width=0.5", "averaged over 1/2", BL_INK_THEORY,
+         BL_STROKE_THIN},
+        {"pulse:low=0.5,high=1.5,period=inf,width=2", "averaged over 2", BL_INK_SECOND,
+         BL_STROKE_DASHED},
         {"step:edge=0.5", "step at 1/2", BL_INK_FOURTH, BL_STROKE_DASHED},
         {"step:edge=1.5", "step at 3/2", BL_INK_FIFTH, BL_STROKE_DASHED}};
     static const bl_curves plot = {

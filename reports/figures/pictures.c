@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "core/grid.h"
-#include "reports/source.h"
+#include "sources/source.h"
 
 bl_status bl_pictures_open(const char *text, bl_signal **signal, bl_message *message) {
     return bl_source_open(text, BL_ISA_BEST, signal, message);

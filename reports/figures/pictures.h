@@ -5,7 +5,7 @@
 #define BL_REPORTS_FIGURES_PICTURES_H
 
 #include "core/signal.h"
-#include "reports/experiment.h"
+#include "reports/run.h"
 
 // One panel. Its places are those of a square about `at`, s to the right and t downwards as in the
 // text's pictures, unless `see` says what stands at (x, y) in [-1, 1] (y upwards): it fills the

@@ -5,7 +5,7 @@
 #define BL_REPORTS_FIGURES_SIX_NOISES_H
 
 #include "core/signal.h"
-#include "reports/experiment.h"
+#include "reports/run.h"
 #include "reports/figures/estimates.h"
 #include "reports/figures/gallery.h"
 

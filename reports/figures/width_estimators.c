@@ -11,7 +11,7 @@
 #include "aliasing/view.h"
 #include "filters/sample_width.h"
 #include "reports/figures/estimates.h"
-#include "reports/experiment.h"
+#include "reports/run.h"
 
 static const char section[] = "peachey2003, Determining the Sampling Rate";
 

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: MIT
+//
+// The period: exact repeats, and hidden lines of the lattice in the spectrum.
+//
+// Repeats. From one place, a row of steps of one cell along an axis tells every repeat within some
+// ten thousand cells; farther out the shifts 2^k, 3 2^k and 10^k cells are tried up to 2^40, and
+// what the signal states, also backwards and divided by small primes. A shift is a repeat where the
+// reference has the same values, to 10^-6 of the range, at 24 random places or more, at six of
+// which it differs from the first; a signal that hardly ever differs is not judged. Places are
+// multiples of 2^-8 cells near 0, so that adding a whole number of cells to them is exact. A period
+// that no double has is found at the nearest one: what the value changes by within two roundings of
+// the coordinate is let pass. There is no chance in it.
+//
+// Lines. A mean that depends on the phase in the cell, or a long period, is a line in the spectrum:
+// all its power in one bin of a periodogram, however long. One long row along each axis, at 8
+// samples a cell under a Blackman-Harris window, is transformed; each bin is compared with the mean
+// of 128 bins around it, 6 to 69 bins away on both sides. Bins of a smooth spectrum are exponential
+// and neighbours under the window correlated, so the 128 are worth at least m = 48 independent
+// ones: P(bin > u mean) = (1 + u/m)^-m, an F distribution with 2 and 2m degrees. At multiples of
+// half a cycle a cell a cyclostationary noise has bins up to chi-square with one degree of freedom,
+// whose tail is the root of that: there u is doubled. All bins share alpha. Lines more than 80 dB
+// below the variance are rounding and not counted, and an axis with a stated period has its own
+// lines. A line does not refute a stated period of 0; it is judged against the ideal alone.
+#include "score/properties/places.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/fft.h"
+#include "core/grid.h"
+#include "spectra/window.h"
+
+enum { EQUAL_PLACES = 24, DIFFERENT = 6, MOST_PLACES = 4096, POWER_MOST = 40 };
+enum { CONSTANT_PLACES = 512 }; // a signal that has not differed by then is nearly constant
+#define EQUAL 1e-6              // of the range
+#define SLOPE 1e-3              // of the range
+
+// --- repeats ------------------------------------------------------------------------------------
+
+typedef struct walk {
+    const bl_signal *signal;
+    const bl_score_look *look;
+    const bl_score_settings *settings;
+    unsigned axis;
+} walk;
+
+static void choose_place(const walk *w, bl_random *random, double at[BL_AXES]) {
+    for (int a = 0; a < BL_AXES; a++)
+        at[a] = w->look->cell * ((double)(bl_random_bits(random) % 8192) / 256 - 16);
+}
+
+// Whether the signal is so nearly constant that no shift could be told from a repeat.
+static int is_nearly_constant(const walk *w) {
+    bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 1 + w->axis);
+    double first = 0;
+    int different = 0;
+    for (int i = 0; i < CONSTANT_PLACES && different < DIFFERENT; i++) {
+        double at[BL_AXES];
+        choose_place(w, &random, at);
+        double here = bl_signal_value(w->signal, at);
+        first = i ? first : here;
+        different += !(fabs(here - first) <= EQUAL * w->look->range);
+    }
+    return different < DIFFERENT;
+}
+
+// By how much the value changes within two roundings of the coordinate along the axis: of the
+// period and of the sum; no more than SLOPE, which 24 places do not keep by chance. 0 where the
+// roundings are as long as features of the noise.
+static double change_by_rounding(const walk *w, const double at[BL_AXES]) {
+    double other[BL_AXES], rounding = 0x1p-52 * fabs(at[w->axis]), change = 0;
+    double here = bl_signal_value(w->signal, at);
+    for (int sign = -1; sign <= 1 && rounding < 0x1p-8 * w->look->cell; sign += 2) {
+        for (int a = 0; a < BL_AXES; a++)
+            other[a] = at[a];
+        other[w->axis] += sign * rounding;
+        change = fmax(change, fabs(bl_signal_value(w->signal, other) - here));
+    }
+    return fmin(change, SLOPE * w->look->range);
+}
+
+// Whether the signal is the same after `shift` cells.
+static int repeats(const walk *w, double shift) {
+    bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 1 + w->axis);
+    double first = 0, near = EQUAL * w->look->range;
+    int different = 0;
+    for (int i = 0; i < MOST_PLACES; i++) {
+        double at[BL_AXES];
+        choose_place(w, &random, at);
+        double here = bl_signal_value(w->signal, at);
+        at[w->axis] += shift * w->look->cell;
+        double off = fabs(bl_signal_value(w->signal, at) - here);
+        if (!(off <= near) && !(off <= near + 2 * change_by_rounding(w, at)))
+            return 0;
+        first = i ? first : here;
+        different += fabs(here - first) > near;
+        if (i + 1 >= EQUAL_PLACES && different >= DIFFERENT)
+            return 1;
+    }
+    return 0; // too nearly constant to tell
+}
+
+// Whether the float points repeat too.
+static int points_repeat(const walk *w, double shift) {
+    bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 10 + w->axis);
+    double column[BL_AXES][2 * EQUAL_PLACES];
+    float value[2 * EQUAL_PLACES];
+    int equal = 1;
+    for (int i = 0; i < EQUAL_PLACES; i++) {
+        double at[BL_AXES];
+        choose_place(w, &random, at);
+        for (unsigned a = 0; a < BL_AXES; a++) {
+            column[a][i] = at[a];
+            column[a][EQUAL_PLACES + i] = at[a] + (a == w->axis ? shift * w->look->cell : 0);
+        }
+    }
+    bl_signal_points(w->signal, (const double *const[]){column[0], column[1], column[2], column[3]},
+                     2 * EQUAL_PLACES, value);
+    for (int i = 0; i < EQUAL_PLACES; i++) {
+        const double at[BL_AXES] = {column[0][EQUAL_PLACES + i], column[1][EQUAL_PLACES + i],
+                                    column[2][EQUAL_PLACES + i], column[3][EQUAL_PLACES + i]};
+        equal &= fabs((double)value[i] - (double)value[EQUAL_PLACES + i]) <=
+                 10 * EQUAL * w->look->range + 2 * change_by_rounding(w, at);
+    }
+    return equal;
+}
+
+// The smallest repeat in a row of cells; 0: none; -1: out of memory.
+static double walk_cells(const walk *w, size_t cells) {
+    bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 20);
+    double start[BL_AXES], step[BL_AXES] = {0}, found = 0;
+    float *value = malloc((cells + 1) * sizeof *value);
+    if (!value)
+        return -1;
+    choose_place(w, &random, start);
+    step[w->axis] = w->look->cell;
+    bl_signal_row(w->signal, start, step, cells + 1, value);
+    for (size_t i = 1; i <= cells && found == 0; i++)
+        if (fabs((double)value[i] - (double)value[0]) <= 2 * EQUAL * w->look->range &&
+            repeats(w, (double)i))
+            found = (double)i;
+    free(value);
+    return found;
+}
+
+// The smallest repeat among all that are tried; 0: none; -1: out of memory.
+static double smallest_repeat(const walk *w, double stated) {
+    static const double primes[] = {2, 3, 5, 7};
+    size_t cells = (size_t)bl_score_pick(w->settings, 8192, 131072, 1048576);
+    double found = walk_cells(w, cells), tried[3 * POWER_MOST + 8];
+    int count = 0;
+    if (found != 0)
+        return found;
+    for (int k = 0; k <= POWER_MOST; k++) {
+        tried[count++] = ldexp(1, k);
+        tried[count++] = k < POWER_MOST ? ldexp(3, k) : ldexp(1, 32) - 1;
+        if (k <= 12)
+            tried[count++] = pow(10, k);
+    }
+    for (int k = 0; k < 4 && stated > 0; k++)
+        if (fmod(stated, primes[k]) == 0)
+            tried[count++] = stated / primes[k];
+    if (stated > 0)
+        tried[count++] = stated;
+    for (int i = 0; i < count; i++)
+        if (tried[i] > (double)cells && (found == 0 || tried[i] < found) && repeats(w, tried[i]))
+            found = tried[i];
+    return found;
+}
+
+// --- lines --------------------------------------------------------------------------------------
+
+enum { RATE = 8, INNER = 6, OUTER = 69, WORTH = 48 };
+
+typedef struct strongest {
+    double excess;    // over the limit: u / limit
+    double ratio;     // u
+    double frequency; // cycles a cell
+} strongest;
+
+static double limit_of(double p) {
+    return WORTH * (pow(p, -1.0 / WORTH) - 1);
+}
+
+static strongest find_line(const double *power, size_t bins, size_t cells, double total, double p) {
+    strongest best = {0, 0, 0};
+    double limit = limit_of(p / (double)bins);
+    for (size_t k = OUTER + 1; k + OUTER + 1 < bins; k++) {
+        double around = 0;
+        for (size_t j = INNER; j <= OUTER; j++)
+            around += (power[k - j] + power[k + j]) / (2 * (OUTER - INNER + 1));
+        size_t from_half = (2 * k + cells / 2) % cells; // of half a cycle, in half bins
+        int is_half = from_half + 12 >= cells / 2 && from_half <= cells / 2 + 12;
+        double ratio = power[k] / around, excess = ratio / (is_half ? 2 * limit : limit);
+        if (power[k] > 1e-8 * total && excess > best.excess)
+            best = (strongest){excess, ratio, (double)k / (double)cells};
+    }
+    return best;
+}
+
+static bl_status measure_line(const walk *w, double p, strongest *best, bl_message *message) {
+    size_t size = (size_t)bl_score_pick(w->settings, 1 << 14, 1 << 17, 1 << 20), bins = size / 2;
+    bl_fft_shape shape = {
+        .kind = BL_FFT_REAL, .precision = BL_FFT_DOUBLE, .dims = 1, .size = {size}};
+    const bl_fft *plan;
+    bl_status status = bl_fft_plan(&shape, &plan, message);
+    if (status != BL_OK)
+        return status;
+    double *buffer = bl_fft_buffer(bl_fft_bytes(&shape)), *window = malloc(size * sizeof *window);
+    float *row = malloc(size * sizeof *row);
+    if (buffer && window && row) {
+        double start[BL_AXES] = {0}, step[BL_AXES] = {0}, mean = 0, total = 0;
+        bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 30 + w->axis);
+        bl_window_fill(BL_WINDOW_BLACKMAN_HARRIS, size, window);
+        for (unsigned a = 0; a < w->look->dimensions; a++)
+            start[a] =
+                bl_score_base(&random, w->look->cell) + w->look->cell * bl_random_unit(&random);
+        step[w->axis] = w->look->cell / RATE;
+        bl_signal_row(w->signal, start, step, size, row);
+        for (size_t i = 0; i < size; i++)
+            mean += (double)row[i] / (double)size;
+        for (size_t i = 0; i < size; i++)
+            buffer[i] = ((double)row[i] - mean) * window[i];
+        bl_fft_run(plan, buffer);
+        for (size_t k = 0; k < bins; k++) {
+            buffer[k] = buffer[2 * k] * buffer[2 * k] + buffer[2 * k + 1] * buffer[2 * k + 1];
+            total += buffer[k];
+        }
+        *best = find_line(buffer, bins, size / RATE, total, p);
+    } else {
+        status = bl_report(message, BL_DEVICE, "out of memory for a row of %zu samples", size);
+    }
+    free(buffer);
+    free(window);
+    free(row);
+    return status;
+}
+
+// --- the verdict --------------------------------------------------------------------------------
+
+typedef struct axis_result {
+    double stated, repeat; // stated: NAN if it is not
+    int is_true;           // the stated period holds, in both directions
+    strongest line;
+} axis_result;
+
+static bl_status measure_axis(const walk *w, axis_result *r, bl_message *message) {
+    double cell = w->look->cell;
+    r->stated = w->signal->facts.period[w->axis] / cell;
+    r->repeat = smallest_repeat(w, r->stated);
+    r->is_true = 1;
+    for (int sign = -1; sign <= 1 && r->stated > 0; sign += 2)
+        r->is_true &= repeats(w, sign * r->stated) && points_repeat(w, sign * r->stated);
+    if (r->repeat < 0)
+        return bl_report(message, BL_DEVICE, "out of memory for a row");
+    if (r->stated > 0 || r->repeat > 0)
+        return BL_OK;
+    return measure_line(w, w->settings->alpha / w->look->dimensions, &r->line, message);
+}
+
+// The verdict on the repeats: against the claim if any axis has one.
+static void judge_repeats(const axis_result *r, unsigned axes, double cell, int *is_stated,
+                          bl_score_property *result) {
+    *is_stated = 1;
+    for (unsigned a = 0; a < axes; a++)
+        *is_stated = *is_stated && !isnan(r[a].stated);
+    for (unsigned a = 0; a < axes; a++) {
+        bl_score_against against = isnan(r[a].stated) ? BL_AGAINST_IDEAL : BL_AGAINST_CLAIM;
+        if (!r[a].is_true)
+            bl_score_judge(result, BL_SCORE_FAIL, against, "states a period of %.10g along %c: no",
+                           r[a].stated * cell, "xyzw"[a]);
+        else if (r[a].repeat > 0 && !(r[a].repeat >= r[a].stated && r[a].stated > 0))
+            bl_score_judge(result, BL_SCORE_FAIL, against, "repeats after %.10g along %c; %s",
+                           r[a].repeat * cell, "xyzw"[a],
+                           isnan(r[a].stated) ? "nothing is stated"
+                           : r[a].stated > 0  ? "more is stated"
+                                              : "no period is stated");
+        else
+            continue;
+        return;
+    }
+}
+
+static void judge(const axis_result *r, unsigned axes, double cell, bl_score_property *result) {
+    static const char *const repeat_names[] = {"repeat_x", "repeat_y", "repeat_z", "repeat_w"};
+    double smallest = INFINITY;
+    int is_stated, line_axis = -1;
+    strongest line = {0, 0, 0};
+    for (unsigned a = 0; a < axes; a++) {
+        bl_score_add_seen(result, repeat_names[a], r[a].repeat * cell);
+        if (r[a].repeat > 0)
+            smallest = fmin(smallest, r[a].repeat * cell);
+        if (r[a].line.excess > line.excess)
+            line = r[a].line, line_axis = (int)a;
+    }
+    bl_score_add_seen(result, "strongest_line_db", line_axis < 0 ? NAN : 10 * log10(line.ratio));
+    bl_score_add_seen(result, "strongest_line_frequency",
+                      line_axis < 0 ? NAN : line.frequency / cell);
+    bl_score_add_seen(result, "line_to_limit_db", line_axis < 0 ? NAN : 10 * log10(line.excess));
+    if (isinf(smallest))
+        snprintf(result->cell, sizeof result->cell, "none");
+    else
+        snprintf(result->cell, sizeof result->cell, "%.10g", smallest);
+    judge_repeats(r, axes, cell, &is_stated, result);
+    if (result->verdict == BL_SCORE_FAIL)
+        return;
+    if (line.excess > 1)
+        bl_score_judge(result, is_stated ? BL_SCORE_PASS : BL_SCORE_FAIL,
+                       is_stated ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL,
+                       "%sa spectral line of %.3g cycles a unit along %c, %.1f dB above its "
+                       "surroundings",
+                       is_stated ? "the stated periods hold; but " : "", line.frequency / cell,
+                       "xyzw"[line_axis], 10 * log10(line.ratio));
+    else
+        bl_score_judge(result, BL_SCORE_PASS, is_stated ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL,
+                       "%s, no other repeat up to 2^%d cells, and no spectral line",
+                       isinf(smallest) ? "no period" : "the stated period holds", POWER_MOST);
+}
+
+static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
+                         bl_score_property *result, bl_message *message) {
+    bl_score_look look;
+    bl_status statuses[BL_AXES] = {BL_OK};
+    bl_message messages[BL_AXES];
+    axis_result axes[BL_AXES] = {{0}};
+    if (!bl_score_look_at(subject, settings, result, &look))
+        return BL_OK;
+    if (is_nearly_constant(&(walk){subject->signal, &look, settings, 0})) {
+        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+                       "the signal is too nearly constant to tell a repeat");
+        return BL_OK;
+    }
+#pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)
+    for (unsigned a = 0; a < look.dimensions; a++) {
+        walk w = {subject->signal, &look, settings, a};
+        statuses[a] = measure_axis(&w, &axes[a], &messages[a]);
+    }
+    for (unsigned a = 0; a < look.dimensions; a++)
+        if (statuses[a] != BL_OK) {
+            bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "out of memory");
+            return bl_report(message, statuses[a], "%s", messages[a].text);
+        }
+    judge(axes, look.dimensions, look.cell, result);
+    return BL_OK;
+}
+
+BL_PROPERTY_DESCRIPTOR(period) = {
+    .name = "period",
+    .title = "period",
+    .entry = "the shortest repeat, in units",
+    .question = "Does the noise repeat, or hide lines of its lattice in the spectrum?",
+    .measure = measure,
+};

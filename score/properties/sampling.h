@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+//
+// Where the properties look at a signal.
+#ifndef BL_SCORE_PROPERTIES_SAMPLING_H
+#define BL_SCORE_PROPERTIES_SAMPLING_H
+
+#include "core/random.h"
+#include "core/signal.h"
+
+// Whether the signal has values on a grid alone (an image).
+int bl_score_on_grid(const bl_signal *signal);
+
+// A random place: a sample of the grid, or uniform in +-reach on every axis.
+void bl_score_place(const bl_signal *signal, double reach, bl_random *random, double at[BL_AXES]);
+
+// Whether it states a band, with a leak or without.
+int bl_score_states_band(const bl_signal *signal);
+
+// "(0.25, -3, 7.125)": the coordinates that the signal has, with all their digits.
+typedef struct bl_score_text {
+    char text[128];
+} bl_score_text;
+bl_score_text bl_score_place_text(const bl_signal *signal, const double at[BL_AXES]);
+
+// The larger of the sizes of the stated bounds; NAN if they are not stated.
+double bl_score_bound(const bl_signal *signal);
+
+#endif

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+//
+// An image by its text: the settings behind the name of a file, as sources/source.h states them.
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/grammar.h"
+#include "core/image.h"
+#include "sources/source_kinds.h"
+#include "sources/grid_parameters.h"
+
+// The settings of an image, as the grammar reads them. Indices may be left out: -1.
+typedef struct image_settings {
+    double spacing, part, memory;
+    uint32_t wrap, reading;
+} image_settings;
+
+enum { LARGEST_PART = 65535 };
+
+static const bl_parameter image_parameters[] = {
+    BL_SPACING_PARAMETER(image_settings, "0", "between pixels; 0: from the file, else 1"),
+    {.key = "part",
+     .kind = BL_REAL,
+     .offset = offsetof(image_settings, part),
+     .minimum = -1,
+     .maximum = LARGEST_PART,
+     .fallback = "-1",
+     .unit = "",
+     .help = "of a multi-part file, from 0"},
+    BL_MEMORY_PARAMETER(image_settings, "held at most; a larger image is read in blocks"),
+    BL_WRAP_PARAMETERS(image_settings, "pixels"),
+    {.key = NULL}};
+
+static const char *const image_keys[] = {"channel", "spacing", "part", "memory",
+                                         "wrap",    "interp",  NULL};
+
+// The channel is a name of the file's own, which the grammar's kinds do not know; it is taken out
+// of the list before the rest is read. Its string belongs to the caller then.
+static bl_status take_channel(bl_spec *spec, char **channel, bl_message *message) {
+    for (size_t i = 0; i < spec->count; i++) {
+        bl_setting *setting = &spec->settings[i];
+        if (strcmp(setting->key, "channel") != 0)
+            continue;
+        if (*channel)
+            return bl_report(message, BL_USAGE, "'channel' at column %zu is given twice",
+                             setting->key_column);
+        *channel = setting->value;
+        free(setting->key);
+        memmove(setting, setting + 1, (spec->count - i - 1) * sizeof *setting);
+        spec->count--;
+        i--;
+    }
+    return BL_OK;
+}
+
+static bl_status check_values(const bl_spec *spec, const image_settings *settings,
+                              bl_message *message) {
+    for (size_t i = 0; i < spec->count; i++) {
+        const bl_setting *setting = &spec->settings[i];
+        if (strcmp(setting->key, "spacing") == 0 && !(settings->spacing > 0))
+            return bl_report(message, BL_USAGE,
+                             "spacing '%s' at column %zu: units between pixels are above 0",
+                             setting->value, setting->value_column);
+        if (strcmp(setting->key, "part") == 0 &&
+            (settings->part < 0 || settings->part != (int)settings->part))
+            return bl_report(message, BL_USAGE, "part '%s' at column %zu: parts count from 0",
+                             setting->value, setting->value_column);
+    }
+    return BL_OK;
+}
+
+// Names an unknown key here, because the list of parameters lacks the channel.
+static bl_status check_keys(const bl_spec *spec, bl_message *message) {
+    for (size_t i = 0; i < spec->count; i++) {
+        const char *key = spec->settings[i].key;
+        int known = 0;
+        for (int k = 0; image_keys[k]; k++)
+            known |= strcmp(key, image_keys[k]) == 0;
+        const char *near = known ? NULL : bl_nearest(key, image_keys);
+        if (!known)
+            return bl_report(message, BL_USAGE,
+                             "unknown key '%s' of an image at column %zu%s%s%s the keys are "
+                             "channel, spacing, part, memory, wrap and interp",
+                             key, spec->settings[i].key_column, near ? "; did you mean '" : "",
+                             near ? near : "", near ? "'?" : ";");
+    }
+    return BL_OK;
+}
+
+// What stands in for a picture by mistake: code, which has a way of its own.
+static bl_status refuse_code(const char *text, bl_message *message) {
+    static const struct {
+        const char *ending, *command;
+    } kinds[] = {{".py", "python3 "}, {".sh", "sh "}, {".pl", "perl "}, {".c", NULL},
+                 {".cc", NULL},       {".cpp", NULL}, {".cxx", NULL}};
+    size_t length = access(text, F_OK) == 0 ? strlen(text) : strcspn(text, ":");
+    char head[4] = "", path[BL_TEXT_SIZE];
+    snprintf(path, sizeof path, "%.*s", (int)(length < sizeof path ? length : 0), text);
+    struct stat info;
+    FILE *stream = stat(path, &info) == 0 && S_ISREG(info.st_mode) ? fopen(path, "rb") : NULL;
+    if (!stream)
+        return BL_OK;
+    size_t got = fread(head, 1, sizeof head, stream);
+    fclose(stream);
+    const char *here = strchr(path, '/') ? "" : "./";
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        if (!bl_source_ends_with(path, length, kinds[i].ending))
+            continue;
+        if (kinds[i].command)
+            return bl_report(message, BL_USAGE, "'%s' is a program: ask it as 'cmd:%s%s'", path,
+                             kinds[i].command, path);
+        int stem = (int)(length - strlen(kinds[i].ending));
+        return bl_report(message, BL_USAGE,
+                         "'%s' is source text: build it (cc -O2 -fPIC -shared %s -o %.*s.so -lm) "
+                         "and name its function as %s%.*s.so:FUNCTION",
+                         path, path, stem, path, here, stem, path);
+    }
+    int runs = (got >= 2 && memcmp(head, "#!", 2) == 0) ||
+               (got == 4 && memcmp(head, "\177ELF", 4) == 0 && access(path, X_OK) == 0);
+    return runs ? bl_report(message, BL_USAGE, "'%s' is a program: ask it as 'cmd:%s%s'", path,
+                            here, path)
+                : BL_OK;
+}
+
+bl_status bl_image_text_open(const char *text, bl_signal **signal, bl_message *message) {
+    bl_image_source source = {.path = text, .part = -1, .text = text};
+    source.memory_bytes = (size_t)1 << 30;
+    bl_status code = refuse_code(text, message);
+    if (code != BL_OK)
+        return code;
+    if (access(text, F_OK) == 0) // a file whose own name holds a colon
+        return bl_image_open(&source, signal, message);
+    bl_spec spec;
+    bl_status status = bl_spec_parse(text, &spec, message);
+    if (status != BL_OK)
+        return status;
+    char *channel = NULL;
+    image_settings settings = {0};
+    status = check_keys(&spec, message);
+    if (status == BL_OK)
+        status = take_channel(&spec, &channel, message);
+    if (status == BL_OK)
+        status = bl_parameters_read(image_parameters, &spec, text, &settings, message);
+    if (status == BL_OK)
+        status = check_values(&spec, &settings, message);
+    if (status == BL_OK) {
+        source.path = spec.name;
+        source.channel = channel;
+        source.spacing = settings.spacing;
+        source.part = (int)settings.part;
+        source.wrap = settings.wrap;
+        source.reading = settings.reading;
+        source.memory_bytes = (size_t)(settings.memory * 1048576);
+        status = bl_image_open(&source, signal, message);
+    }
+    free(channel);
+    bl_spec_free(&spec);
+    return status;
+}
