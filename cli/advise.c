@@ -31,11 +31,11 @@ static bl_advise_settings settings_of(const bl_call *call, double tolerance) {
     alias->frames = 0;
     alias->seed = call->common.seed;
     alias->threads = bl_call_threads(call);
-    alias->rounds = call->common.full ? 101 : call->common.quick ? 9 : 25;
-    alias->turn_seconds = call->common.quick ? 5e-4 : 2e-3;
-    alias->replicates = call->common.full ? 8 : 2;
-    alias->finest = call->common.quick ? 4 : 8;
-    alias->most_samples = call->common.full ? 1 << 14 : call->common.quick ? 256 : 1024;
+    alias->rounds = (int)bl_size_pick(call->size, 9, 25, 101);
+    alias->turn_seconds = bl_size_pick(call->size, 5e-4, 2e-3, 2e-3);
+    alias->replicates = call->size == BL_FULL ? 8 : 2;
+    alias->finest = call->size == BL_QUICK ? 4 : 8;
+    alias->most_samples = (uint32_t)bl_size_pick(call->size, 256, 1024, 1 << 14);
     return settings;
 }
 
@@ -219,7 +219,7 @@ static bl_status advise(bl_call *call, const bl_signal *signal, const bl_view *v
 
 static bl_status run_advise(bl_call *call) {
     const advise_options *options = call->settings;
-    size_t size = options->size ? options->size : call->common.quick ? 48 : 128;
+    size_t size = options->size ? options->size : call->size == BL_QUICK ? 48 : 128;
     double tolerance;
     bl_view view;
     bl_signal *signal;

@@ -73,14 +73,14 @@ static bl_alias_settings settings_of(const bl_call *call) {
     settings.seed = call->common.seed;
     settings.threads = bl_call_threads(call);
     settings.cache = options->cache;
-    if (call->common.quick) {
+    if (call->size == BL_QUICK) {
         settings.replicates = 3;
         settings.finest = 8;
         settings.frames = 4;
         settings.rounds = 15;
         settings.turn_seconds = 2e-4;
         settings.most_samples = 64;
-    } else if (call->common.full) {
+    } else if (call->size == BL_FULL) {
         settings.replicates = 16;
         settings.frames = 16;
         settings.rounds = 101;
@@ -207,7 +207,7 @@ static bl_status run_alias(bl_call *call) {
     size_t size[2] = {0, 0};
     bl_view view;
     bl_signal *signal;
-    const char *usual_size = call->common.quick ? "64x64" : "128x128";
+    const char *usual_size = call->size == BL_QUICK ? "64x64" : "128x128";
     bl_status status = read_size(options->size ? options->size : usual_size, size, &call->message);
     if (status == BL_OK)
         status = bl_view_open(options->view, size[0], size[1], &view, &call->message);

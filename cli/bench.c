@@ -179,15 +179,10 @@ static void show_progress(void *user, const char *what) {
 
 static bl_status run_bench(bl_call *call) {
     const bench_settings *settings = call->settings;
-    const int quick = call->common.quick, full = call->common.full;
     bl_bench bench = {.isa = call->isa,
                       .threads = bl_call_threads(call),
-                      .rounds = quick  ? 3
-                                : full ? 31
-                                       : 9,
-                      .turn_seconds = quick  ? 2e-4
-                                      : full ? 5e-3
-                                             : 2e-3,
+                      .rounds = (int)bl_size_pick(call->size, 3, 9, 31),
+                      .turn_seconds = bl_size_pick(call->size, 2e-4, 2e-3, 5e-3),
                       .progress = show_progress,
                       .user = call};
     bl_status status = time_noises(call, &bench), verdict = BL_OK;

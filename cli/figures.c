@@ -147,7 +147,7 @@ bl_status bl_figures_run(bl_call *call, const char *const *names, size_t count,
                          bl_reproduce_settings *settings) {
     char *arguments = joined_arguments(call);
     settings->arguments = arguments;
-    settings->size = call->common.quick ? BL_QUICK : call->common.full ? BL_FULL : BL_NORMAL;
+    settings->size = call->size;
     settings->isa = call->isa;
     settings->threads = bl_call_threads(call);
     settings->progress = show_progress;

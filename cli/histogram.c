@@ -130,8 +130,8 @@ static bl_status settle(bl_call *call, bl_histogram_settings *settings) {
     *settings = bl_histogram_default_settings();
     if (options->samples)
         settings->samples = options->samples;
-    else if (call->common.quick || call->common.full)
-        settings->samples = call->common.quick ? 1 << 16 : 1 << 26;
+    else if (call->size != BL_NORMAL)
+        settings->samples = call->size == BL_QUICK ? 1 << 16 : 1 << 26;
     settings->bins = options->bins;
     settings->level = options->level;
     settings->threads = bl_call_threads(call);

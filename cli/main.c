@@ -79,6 +79,7 @@ static bl_status settle_common(bl_call *call) {
     bl_common *common = &call->common;
     if (common->quick && common->full)
         return bl_report(&call->message, BL_USAGE, "--quick and --full exclude each other");
+    call->size = common->quick ? BL_QUICK : common->full ? BL_FULL : BL_NORMAL;
     unsigned long long seed = 1;
     if (common->seed_word && !bl_read_unsigned(common->seed_word, &seed))
         return bl_report(&call->message, BL_USAGE,

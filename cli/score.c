@@ -86,8 +86,6 @@ static bl_status read_texts(bl_call *call, bl_words *texts) {
 
 // --- reports ---
 
-static const char *const sizes[] = {"quick", "normal", "full"};
-
 static void report_json(bl_call *call, const bl_scorecard *cards, size_t count,
                         const bl_score_settings *used, bl_status verdict) {
     const score_settings *settings = call->settings;
@@ -96,7 +94,7 @@ static void report_json(bl_call *call, const bl_scorecard *cards, size_t count,
     bl_json_set_count(call->json, "exit_status", (uint64_t)verdict);
     bl_json_set_number(call->json, "alpha", used->alpha);
     bl_json_set_number(call->json, "level", used->level);
-    bl_json_set_text(call->json, "size", sizes[used->size]);
+    bl_json_set_text(call->json, "size", bl_size_word(used->size));
     bl_json_set_count(call->json, "seed", used->seed);
     json_object_set_new(call->json, "strict", json_boolean(settings->strict));
     for (size_t s = 0; s < count; s++) {
@@ -140,7 +138,7 @@ static bl_status write_csv(bl_call *call, const bl_scorecard *cards, size_t coun
         return status;
     char text[128];
     snprintf(text, sizeof text, "alpha %g, level %g, size %s, seed %llu", used->alpha, used->level,
-             sizes[used->size], (unsigned long long)used->seed);
+             bl_size_word(used->size), (unsigned long long)used->seed);
     bl_csv_comment(file.stream, "bandlimit score", BL_VERSION);
     bl_csv_comment(file.stream, "settings", text);
     fputs("signal,property,verdict,against,number,value,lower,upper,level,samples,reason\n",

@@ -9,7 +9,7 @@ bl_score_settings bl_scorecard_settings(const bl_call *call, double alpha, size_
     bl_score_settings settings = bl_score_default_settings();
     settings.alpha = alpha;
     settings.table = table;
-    settings.size = call->common.quick ? 0 : call->common.full ? 2 : 1;
+    settings.size = call->size;
     settings.seed = call->common.seed;
     settings.threads = bl_call_threads(call);
     return settings;

@@ -20,7 +20,7 @@ static int on_grid(const bl_signal *signal) {
 static size_t averages_of(const bl_call *call, const bl_signal *signal, unsigned dims) {
     static const size_t normal[] = {256, 16, 8};
     size_t count = on_grid(signal) ? 0 : normal[dims - 1];
-    return call->common.quick ? count / 4 : call->common.full ? count * 16 : 0;
+    return call->size == BL_QUICK ? count / 4 : call->size == BL_FULL ? count * 16 : 0;
 }
 
 bl_status bl_spectral_settings(bl_call *call, const bl_spectral *options, const bl_signal *signal,

@@ -158,9 +158,7 @@ static bl_status run_one(bl_call *call, const trade_subject *subject, const bl_t
     const trade_options *options = call->settings;
     const bl_trade_settings settings = {.seed = call->common.seed,
                                         .threads = bl_call_threads(call),
-                                        .size = call->common.full    ? 2
-                                                : call->common.quick ? 0
-                                                                     : 1,
+                                        .size = call->size,
                                         .view = options->view};
     bl_alternatives alternatives;
     bl_progress(call, "trading %s of %s ...", trade->title, subject->text);

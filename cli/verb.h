@@ -13,6 +13,7 @@
 
 #include "cli/option.h"
 #include "core/signal.h"
+#include "core/size.h"
 #include "core/version.h"
 #include "noises/noise.h"
 
@@ -35,6 +36,7 @@ typedef struct bl_call {
     bl_common common;
     void *settings;    // the verb's own block
     bl_words operands; // at least verb->least, at most verb->most
+    bl_size size;      // of --quick and --full
     bl_isa isa;
     int every_isa;    // --isa all
     const char *path; // of the data file or folder (-o); NULL: none; "-": data to standard output

@@ -11,11 +11,6 @@
 #include "reports/run.h"
 #include "reports/page.h"
 
-const char *bl_size_word(bl_size size) {
-    static const char *const words[] = {"quick", "normal", "full"};
-    return words[size];
-}
-
 bl_reproduce_settings bl_reproduce_default_settings(void) {
     return (bl_reproduce_settings){
         .folder = "out", .format = "svg", .size = BL_NORMAL, .seed = 1, .isa = BL_ISA_BEST};

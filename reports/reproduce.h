@@ -10,14 +10,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/size.h"
 #include "core/status.h"
 #include "noises/noise.h"
 #include "reports/claim.h"
-
-// How much work a figure may take: seconds, a minute, a night.
-typedef enum bl_size { BL_QUICK, BL_NORMAL, BL_FULL } bl_size;
-
-const char *bl_size_word(bl_size size); // "quick", "normal", "full"
 
 typedef struct bl_reproduce_settings {
     const char *folder;    // of the output, made if missing

@@ -67,9 +67,7 @@ const bl_reproduce_settings *bl_run_settings(const bl_run *run) {
 }
 
 double bl_run_pick(const bl_run *run, double quick, double normal, double full) {
-    return run->settings->size == BL_QUICK    ? quick
-           : run->settings->size == BL_NORMAL ? normal
-                                              : full;
+    return bl_size_pick(run->settings->size, quick, normal, full);
 }
 
 void bl_run_step(bl_run *run, const char *step) {

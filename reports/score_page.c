@@ -177,10 +177,6 @@ bl_status bl_score_page_write(const char *path, const bl_score_view *views, size
         put_signal(out, &views[s], s);
     fprintf(out,
             "</main>\n<footer><p>bandlimit %s, size %s, seed %llu</p></footer>\n</body>\n</html>\n",
-            BL_VERSION,
-            settings->size == 0   ? "quick"
-            : settings->size == 1 ? "normal"
-                                  : "full",
-            (unsigned long long)settings->seed);
+            BL_VERSION, bl_size_word(settings->size), (unsigned long long)settings->seed);
     return bl_file_commit(&file, message);
 }

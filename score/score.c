@@ -38,7 +38,8 @@ const bl_property *bl_property_find(const char *name) {
 }
 
 bl_score_settings bl_score_default_settings(void) {
-    return (bl_score_settings){.alpha = 1e-6, .table = 1, .size = 1, .seed = 1, .level = 0.95};
+    return (bl_score_settings){
+        .alpha = 1e-6, .table = 1, .size = BL_NORMAL, .seed = 1, .level = 0.95};
 }
 
 bl_status bl_score_measure(const bl_score_subject *subject, const bl_score_settings *settings,
@@ -57,10 +58,6 @@ bl_status bl_score_measure(const bl_score_subject *subject, const bl_score_setti
             return status;
     }
     return BL_OK;
-}
-
-double bl_score_pick(const bl_score_settings *settings, double quick, double normal, double full) {
-    return settings->size == 0 ? quick : settings->size == 1 ? normal : full;
 }
 
 void bl_score_add(bl_score_property *result, const char *name, bl_estimate estimate) {

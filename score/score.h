@@ -19,6 +19,7 @@
 #include <stdint.h>
 
 #include "core/signal.h"
+#include "core/size.h"
 #include "core/statistics.h"
 
 enum {
@@ -71,9 +72,9 @@ typedef struct bl_score_subject {
 } bl_score_subject;
 
 typedef struct bl_score_settings {
-    double alpha;  // in bl_score_measure: of the whole table; in a property: its own share
-    size_t table;  // signals in the table, which share alpha
-    int size;      // 0 quick, 1 normal, 2 full: bl_score_pick
+    double alpha; // in bl_score_measure: of the whole table; in a property: its own share
+    size_t table; // signals in the table, which share alpha
+    bl_size size;
     uint64_t seed; // of all random places and fresh seeds
     double level;  // of the confidence intervals that are shown, 0.95
     int threads;   // 0: as many as OpenMP gives
@@ -114,9 +115,6 @@ bl_score_settings bl_score_default_settings(void);
 // Thread-safe, but for `cost`, whose times disturb each other. Errors: those of the properties.
 bl_status bl_score_measure(const bl_score_subject *subject, const bl_score_settings *settings,
                            uint64_t wanted, bl_score *score, bl_message *message);
-
-// The number for the size of the settings.
-double bl_score_pick(const bl_score_settings *settings, double quick, double normal, double full);
 
 // Adds a number; the name is a constant. Dropped beyond BL_SCORE_NUMBERS (asserts).
 void bl_score_add(bl_score_property *result, const char *name, bl_estimate estimate);

@@ -130,12 +130,11 @@ void bl_alternatives_mark(bl_alternatives *alternatives) {
 bl_status bl_trade_run(const bl_trade *trade, const bl_signal *subject,
                        const bl_trade_settings *settings, bl_alternatives *alternatives,
                        bl_message *message) {
-    static const double turn_seconds[] = {2e-4, 2e-3, 1e-2};
-    int size = settings->size < 0 ? 0 : settings->size > 2 ? 2 : settings->size;
     *alternatives = (bl_alternatives){0};
     bl_status status = trade->open(subject, settings, alternatives, message);
     if (status == BL_OK)
-        status = bl_alternatives_time(alternatives, turn_seconds[size], message);
+        status = bl_alternatives_time(alternatives, bl_size_pick(settings->size, 2e-4, 2e-3, 1e-2),
+                                      message);
     if (status == BL_OK)
         bl_alternatives_mark(alternatives);
     else

@@ -16,12 +16,13 @@
 #define BL_SCORE_TRADE_H
 
 #include "core/definition.h"
+#include "core/size.h"
 #include "core/statistics.h"
 
 typedef struct bl_trade_settings {
     uint64_t seed;
     int threads;
-    int size;         // 0 quick, 1 normal, 2 full
+    bl_size size;
     const char *view; // of textures; NULL: the trade's own
 } bl_trade_settings;
 

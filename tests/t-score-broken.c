@@ -20,7 +20,7 @@
 // The properties of this file.
 static const char *const names[] = {"period", "stationarity", "isotropy", "continuity",
                                     "seeds",  "far",          "gradient"};
-enum { COUNT = sizeof names / sizeof *names, QUICK = 0, NORMAL = 1 };
+enum { COUNT = sizeof names / sizeof *names };
 
 static size_t index_of(const char *name) {
     for (size_t i = 0; i < bl_property_count(); i++)
@@ -30,8 +30,8 @@ static size_t index_of(const char *name) {
     return 0;
 }
 
-static bl_score_property measure(const bl_signal *signal, const char *name, int size, uint64_t seed,
-                                 double alpha, int threads) {
+static bl_score_property measure(const bl_signal *signal, const char *name, bl_size size,
+                                 uint64_t seed, double alpha, int threads) {
     bl_score_settings settings = bl_score_default_settings();
     bl_score_subject subject = {.signal = signal};
     bl_message message = {""};
@@ -47,7 +47,7 @@ static bl_score_property measure(const bl_signal *signal, const char *name, int 
 }
 
 static bl_score_property quick(const bl_signal *signal, const char *name) {
-    return measure(signal, name, QUICK, 1, 1e-6, 0);
+    return measure(signal, name, BL_QUICK, 1, 1e-6, 0);
 }
 
 // With SCALE below 1 a walk over signals takes one property of each, the next of the next.
@@ -73,7 +73,7 @@ static void test_each_broken_noise_is_found_by_its_property(void **state) {
         bl_signal *signal = bl_broken_signal(which);
         bl_score_property found = quick(signal, name);
         if (found.verdict != BL_SCORE_FAIL)
-            found = measure(signal, name, NORMAL, 1, 1e-6, 0);
+            found = measure(signal, name, BL_NORMAL, 1, 1e-6, 0);
         if (found.verdict != BL_SCORE_FAIL)
             fail_msg("%s: %s says %s: %s", bl_broken_name(which), name,
                      bl_score_word(found.verdict), found.reason);
@@ -229,7 +229,7 @@ static void check_rate(const char *text, const char *name, unsigned trials) {
         snprintf(seeded, sizeof seeded, "%s:seed=%u", text, 100 + trial);
         bl_signal *signal = bl_test_open(seeded, BL_ISA_BEST);
         bl_score_property found =
-            measure(signal, name, QUICK, 500 + trial, alpha * (double)bl_property_count(), 0);
+            measure(signal, name, BL_QUICK, 500 + trial, alpha * (double)bl_property_count(), 0);
         const bl_score_number *line = bl_score_find(&found, "line_to_limit_db");
         failures += found.verdict == BL_SCORE_FAIL || (line && line->estimate.value > 0);
         bl_signal_free(signal);
@@ -439,8 +439,8 @@ static void test_the_numbers_do_not_depend_on_the_threads(void **state) {
     (void)state;
     bl_signal *signal = bl_test_open("vgnoise:seed=5", BL_ISA_BEST);
     for (int i = 0; i < COUNT; i++) {
-        bl_score_property one = measure(signal, names[i], QUICK, 3, 1e-6, 1);
-        bl_score_property three = measure(signal, names[i], QUICK, 3, 1e-6, 3);
+        bl_score_property one = measure(signal, names[i], BL_QUICK, 3, 1e-6, 1);
+        bl_score_property three = measure(signal, names[i], BL_QUICK, 3, 1e-6, 3);
         assert_int_equal(one.count, three.count);
         assert_string_equal(one.reason, three.reason);
         for (size_t k = 0; k < one.count; k++)

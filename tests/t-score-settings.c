@@ -36,7 +36,7 @@ static unsigned check(const char *text, const char *name) {
     bl_score_subject subject = {.signal = signal};
     size_t index = index_of(name);
     unsigned failures = 0;
-    settings.size = 0;
+    settings.size = BL_QUICK;
     settings.alpha = ALPHA;
     settings.threads = 1; // a busy machine makes many threads slow
     if (bl_score_measure(&subject, &settings, UINT64_C(1) << index, &score, &message) != BL_OK)

@@ -25,7 +25,7 @@ static bl_signal *open_noise(const char *text) {
 // The settings of a property, with its share of alpha.
 static bl_score_settings quick(double alpha) {
     bl_score_settings settings = bl_score_default_settings();
-    settings.size = 0;
+    settings.size = BL_QUICK;
     settings.alpha = alpha;
     settings.threads = 1; // a busy machine makes many threads slow
     return settings;

@@ -81,12 +81,13 @@ static bl_psd_settings settings_for(const bl_signal *signal, const bl_score_sett
         return psd;
     if (which == RADIALLY) {
         psd.rate = rate_for(8, band_to);
-        psd.size = settings->size == 0 ? 256 : 512;
-        psd.averages = (size_t)bl_score_pick(settings, 4, 16, 128);
+        psd.size = settings->size == BL_QUICK ? 256 : 512;
+        psd.averages = (size_t)bl_size_pick(settings->size, 4, 16, 128);
     } else { // LENGTH units long, unless the band is so wide that this takes too many samples
-        psd.rate = rate_for(bl_score_pick(settings, 8, 16, 16), band_to);
-        psd.size = (size_t)fmin(LENGTH * psd.rate, bl_score_pick(settings, 4096, 16384, 16384));
-        psd.averages = (size_t)bl_score_pick(settings, 256, 1024, 8192);
+        psd.rate = rate_for(bl_size_pick(settings->size, 8, 16, 16), band_to);
+        psd.size =
+            (size_t)fmin(LENGTH * psd.rate, bl_size_pick(settings->size, 4096, 16384, 16384));
+        psd.averages = (size_t)bl_size_pick(settings->size, 256, 1024, 8192);
         if (which == ALONG_DIAGONAL) // which is not judged
             psd.averages /= 4;
     }
@@ -177,7 +178,7 @@ static size_t averages_of_second_look(const bl_psd *psd, const band_claim *claim
     if (limit.upper_db <= passes || limit.lower_db > claim->leak_db)
         return 0;
     size_t averages = psd->settings.averages;
-    size_t most = averages * (size_t)bl_score_pick(settings, 16, 4, 4);
+    size_t most = averages * (size_t)bl_size_pick(settings->size, 16, 4, 4);
     size_t needed = limit.needed_averages < most ? 2 * limit.needed_averages : most;
     needed = needed > 4 * averages ? needed : 4 * averages;
     return needed < most ? needed : most;

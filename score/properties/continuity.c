@@ -284,7 +284,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     bl_score_look look;
     if (!bl_score_look_at(subject, settings, result, &look))
         return BL_OK;
-    size_t lines = (size_t)bl_score_pick(settings, 48, 192, 1536);
+    size_t lines = (size_t)bl_size_pick(settings->size, 48, 192, 1536);
     finding *found = malloc(lines * CANDIDATES * sizeof *found);
     if (!found)
         return bl_score_no_memory(result, message);

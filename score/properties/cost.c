@@ -84,8 +84,8 @@ static void judge(bl_score_property *result, const bl_time times[2], double samp
 
 static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
                          bl_score_property *result, bl_message *message) {
-    double turn = bl_score_pick(settings, 2e-4, 2e-3, 5e-3);
-    int rounds = (int)bl_score_pick(settings, 12, 18, 36);
+    double turn = bl_size_pick(settings->size, 2e-4, 2e-3, 5e-3);
+    int rounds = (int)bl_size_pick(settings->size, 12, 18, 36);
     work_of_kernel work = {.signal = subject->signal, .count = MOST};
     double *room = malloc(MOST * (BL_AXES * sizeof(double) + sizeof(float)));
     if (!room)

@@ -161,7 +161,7 @@ static void take(const bl_signal *signal, const bl_score_look *look, bl_random r
 static bl_status variance_ratio(const bl_signal *signal, const bl_score_settings *settings,
                                 const bl_score_look *look, bl_estimate *shown, bl_estimate *judged,
                                 bl_message *message, bl_score_property *result) {
-    size_t count = (size_t)bl_score_pick(settings, 256, 1024, 8192);
+    size_t count = (size_t)bl_size_pick(settings->size, 256, 1024, 8192);
     double *room = malloc(2 * count * sizeof *room);
     if (!room)
         return bl_score_no_memory(result, message);

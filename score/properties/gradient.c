@@ -163,7 +163,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     }
     if (!bl_score_look_at(subject, settings, result, &look))
         return BL_OK;
-    size_t count = (size_t)bl_score_pick(settings, 250, 2000, 20000);
+    size_t count = (size_t)bl_size_pick(settings->size, 250, 2000, 20000);
     place *places = malloc(count * sizeof *places);
     double *error = malloc(count * sizeof *error);
     if (places && error) {

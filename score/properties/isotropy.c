@@ -281,8 +281,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     bl_status status = bl_score_sectors_plan(&plan, message);
     if (status != BL_OK)
         return status;
-    size_t count = (size_t)bl_score_pick(settings, 128, 512, 4096);
-    size_t rows = (size_t)bl_score_pick(settings, 6, 20, 64);
+    size_t count = (size_t)bl_size_pick(settings->size, 128, 512, 4096);
+    size_t rows = (size_t)bl_size_pick(settings->size, 6, 20, 64);
     batch *batches = malloc(count * sizeof *batches);
     double *room = malloc(2 * count * sizeof *room);
     if (batches && room) {

@@ -148,7 +148,7 @@ static double walk_cells(const walk *w, size_t cells) {
 // The smallest repeat among all that are tried; 0: none; -1: out of memory.
 static double smallest_repeat(const walk *w, double stated) {
     static const double primes[] = {2, 3, 5, 7};
-    size_t cells = (size_t)bl_score_pick(w->settings, 8192, 131072, 1048576);
+    size_t cells = (size_t)bl_size_pick(w->settings->size, 8192, 131072, 1048576);
     double found = walk_cells(w, cells), tried[3 * POWER_MOST + 8];
     int count = 0;
     if (found != 0)
@@ -201,7 +201,8 @@ static strongest find_line(const double *power, size_t bins, size_t cells, doubl
 }
 
 static bl_status measure_line(const walk *w, double p, strongest *best, bl_message *message) {
-    size_t size = (size_t)bl_score_pick(w->settings, 1 << 14, 1 << 17, 1 << 20), bins = size / 2;
+    size_t size = (size_t)bl_size_pick(w->settings->size, 1 << 14, 1 << 17, 1 << 20),
+           bins = size / 2;
     bl_fft_shape shape = {
         .kind = BL_FFT_REAL, .precision = BL_FFT_DOUBLE, .dims = 1, .size = {size}};
     const bl_fft *plan;

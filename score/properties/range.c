@@ -192,8 +192,8 @@ static void estimate_moments(const bl_signal *signal, const bl_score_settings *s
 static bl_status look_in_blocks(const bl_signal *signal, const bl_score_settings *settings,
                                 findings *found, bl_message *message) {
     // Quick has as many seeds as normal: those of a sum of few waves differ most by their variance.
-    size_t count = (size_t)bl_score_pick(settings, 256, 256, 1024);
-    size_t each = (size_t)bl_score_pick(settings, 256, 4096, 16384);
+    size_t count = (size_t)bl_size_pick(settings->size, 256, 256, 1024);
+    size_t each = (size_t)bl_size_pick(settings->size, 256, 4096, 16384);
     block *blocks = calloc(count, sizeof *blocks);
     double *values = calloc(count, sizeof *values);
     int failed = !blocks || !values;

@@ -249,7 +249,7 @@ static int try_grid_rows(trial *t, size_t count, bl_random *random) {
 static size_t try_scales(trial *t) {
     static const double bases[] = {0, 1000, -1e6, 1e9};
     const bl_signal *signal = t->subject->signal;
-    size_t count = (size_t)bl_score_pick(t->settings, 512, 1024, MOST), scales = 0;
+    size_t count = (size_t)bl_size_pick(t->settings->size, 512, 1024, MOST), scales = 0;
     // Where a signal does not say how far it reaches, a float of its own reaches that far.
     double far = isfinite(signal->facts.far) ? signal->facts.far / 1024 : 1e6;
     bl_random random = bl_random_seed(t->settings->seed, 0);

@@ -38,7 +38,7 @@ void bl_score_add_rings(const bl_signal *signal, const bl_score_settings *settin
     double mean[OCTAVES + 1][RUNS];
     bl_psd_settings slice = bl_psd_default_settings(2);
     slice.rate = RATE / look->cell;
-    slice.size = (size_t)bl_score_pick(settings, 64, 128, 256);
+    slice.size = (size_t)bl_size_pick(settings->size, 64, 128, 256);
     slice.averages = AVERAGES;
     slice.level = settings->level;
     slice.threads = settings->threads;

@@ -322,12 +322,12 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     if (!bl_score_look_at(subject, settings, result, &look))
         return BL_OK;
     survey s = {.signal = signal, .look = &look, .shifts = 1 + 2 * look.dimensions};
-    s.seeds = (size_t)bl_score_pick(settings, 32, 128, 1024);
+    s.seeds = (size_t)bl_size_pick(settings->size, 32, 128, 1024);
     s.stride = 1;
     if (signal->functions->build) {
         s.stride = 16;
     }
-    s.places = (size_t)bl_score_pick(settings, 16, 24, PLACES);
+    s.places = (size_t)bl_size_pick(settings->size, 16, 24, PLACES);
     int is_coarse = 1, is_done = 1;
     for (int more = 0; more <= MORE && is_done && is_coarse; more++, s.seeds *= 4)
         is_done = run(&s, settings, more < MORE, &is_coarse, result);

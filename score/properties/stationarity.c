@@ -289,7 +289,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
                        "cell is not random");
         return BL_OK;
     }
-    size_t count = (size_t)bl_score_pick(settings, 384, 1536, 16384);
+    size_t count = (size_t)bl_size_pick(settings->size, 384, 1536, 16384);
     survey s = survey_of(subject->signal, &look);
     batch *batches = malloc(count * sizeof *batches);
     double *room = malloc(2 * count * sizeof *room);

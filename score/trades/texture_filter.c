@@ -24,7 +24,7 @@ static bl_alias_settings settings_of(const bl_trade_settings *settings) {
     alias.replicates = 2;
     alias.frames = 0;
     alias.rounds = rounds[settings->size];
-    alias.turn_seconds = settings->size ? 2e-3 : 2e-4;
+    alias.turn_seconds = settings->size == BL_QUICK ? 2e-4 : 2e-3;
     alias.most_samples = samples[settings->size];
     alias.seed = settings->seed;
     alias.threads = settings->threads;
