@@ -4,7 +4,7 @@
 #include <math.h>
 
 const char *const bl_sampled_tile_wrap_words[] = {"none", "periodic", "mirror", NULL};
-const char *const bl_sampled_tile_reading_words[] = {"nearest", "linear", "cubic", NULL};
+const char *const bl_sampled_tile_reading_words[] = {"nearest", "linear", "catmull-rom", NULL};
 
 enum { TAPS = 4 };
 

@@ -22,11 +22,12 @@ typedef enum bl_sampled_tile_wrap {
 typedef enum bl_sampled_tile_reading {
     BL_READ_NEAREST,
     BL_READ_LINEAR,
-    BL_READ_CUBIC
+    BL_READ_CATMULL_ROM
 } bl_sampled_tile_reading;
 
-extern const char *const bl_sampled_tile_wrap_words[];    // "none", "periodic", "mirror", NULL
-extern const char *const bl_sampled_tile_reading_words[]; // "nearest", "linear", "cubic", NULL
+extern const char *const bl_sampled_tile_wrap_words[]; // "none", "periodic", "mirror", NULL
+extern const char
+    *const bl_sampled_tile_reading_words[]; // "nearest", "linear", "catmull-rom", NULL
 
 typedef struct bl_sampled_tile {
     unsigned dims;

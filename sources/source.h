@@ -21,7 +21,7 @@
 //   memory=MIB          how much of the image is held in memory (default 1024); a larger image is
 //                       read in blocks through a cache of that size
 //   wrap=none|periodic|mirror       beyond the edge: NaN, the tile again, or its mirror image
-//   interp=nearest|linear|cubic     between the pixels: the nearest, linear, cubic (C1)
+//   interp=nearest|linear|catmull-rom  between the pixels: the nearest, linear, Catmull-Rom (C1)
 //
 // Values are those of the file: floats and halves as they are, integers divided by their full
 // scale; no colour curve and no alpha is applied. Pixel (i, j), counted from the upper left corner

@@ -244,7 +244,7 @@ static void test_kernels_are_their_formulas(void **state) {
         double u = fabs(t), clamped = fmin(1, fmax(0, t + 0.5));
         assert_near(bl_filter_find("tent")->kernel(t), fmax(0, 1 - u), 1e-15);
         assert_near(bl_filter_find("box")->step(t), clamped, 1e-15);
-        assert_near(bl_filter_find("smoothstep")->step(t), clamped * clamped * (3 - 2 * clamped),
+        assert_near(bl_filter_find("parabola")->step(t), clamped * clamped * (3 - 2 * clamped),
                     1e-15);
         // Keys' cubic with a = -1/2, and Mitchell's with B = C = 1/3, as they are usually written.
         double keys = u < 1   ? 1.5 * u * u * u - 2.5 * u * u + 1
@@ -272,7 +272,7 @@ static void test_responses_are_their_formulas(void **state) {
         double a = M_PI * f, s = sinc(f);
         assert_near(bl_filter_find("box")->response(f), s, 1e-15);
         assert_near(bl_filter_find("tent")->response(f), s * s, 1e-15);
-        assert_near(bl_filter_find("smoothstep")->response(f),
+        assert_near(bl_filter_find("parabola")->response(f),
                     3 * (sin(a) - a * cos(a)) / (a * a * a), 1e-13 / (a * a));
         assert_near(bl_filter_find("gaussian")->response(f), exp(-2 * a * a * 0.25), 1e-15);
     }
@@ -311,8 +311,8 @@ static void test_zeros_at_the_sampling_frequency(void **state) {
         assert_near(log2(fabs(near / nearer)), expected[i].order, 0.01);
     }
     double a = 4.493409457909064; // the first root of tan a = a
-    assert_near(bl_filter_find("smoothstep")->response(a / M_PI), 0, 1e-15);
-    assert_near(bl_filter_find("smoothstep")->response(1), 3 / (M_PI * M_PI), 1e-15);
+    assert_near(bl_filter_find("parabola")->response(a / M_PI), 0, 1e-15);
+    assert_near(bl_filter_find("parabola")->response(1), 3 / (M_PI * M_PI), 1e-15);
 }
 
 // The measured numbers, where they are known in closed form or by the other route.

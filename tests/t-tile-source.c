@@ -177,7 +177,7 @@ static void test_cubic_reading_is_exact_for_quadratics_and_smooth(void **state) 
     for (int i = 0; i < 12; i++)
         parabola[i] = (float)(0.25 * i * i - i + 2);
     bl_temporary_write(bl_temporary_path("line.raw"), parabola, sizeof parabola);
-    bl_signal *line = bl_test_open_file("line.raw", ":size=12,interp=cubic");
+    bl_signal *line = bl_test_open_file("line.raw", ":size=12,interp=catmull-rom");
     assert_int_equal(line->dimensions, 1);
     for (double x = 1; x <= 10; x += 0.0625)
         assert_near(at(line, x, 0, 0), 0.25 * x * x - x + 2, 1e-13);
@@ -185,7 +185,7 @@ static void test_cubic_reading_is_exact_for_quadratics_and_smooth(void **state) 
     assert_true(isnan(at(line, 0.5, 0, 0))); // a place between two needs four
     bl_signal_free(line);
     make_volume();
-    bl_signal *tile = bl_test_open_file("vol.raw", ":size=5x4x3,wrap=periodic,interp=cubic");
+    bl_signal *tile = bl_test_open_file("vol.raw", ":size=5x4x3,wrap=periodic,interp=catmull-rom");
     const double h = 0x1p-20;
     assert_int_equal(tile->facts.continuity, 1);
     for (long i = -6; i < 6; i++) {
@@ -240,7 +240,7 @@ static void make_image(int width, int height) {
 static void test_an_image_wraps_as_bare_samples_do(void **state) {
     (void)state;
     static const char *const settings[] = {",wrap=periodic", ",wrap=mirror,interp=linear",
-                                           ",wrap=periodic,interp=cubic", ",interp=linear"};
+                                           ",wrap=periodic,interp=catmull-rom", ",interp=linear"};
     char text[128];
     float values[HEIGHT * WIDTH];
     make_image(WIDTH, HEIGHT);
@@ -270,7 +270,7 @@ static void test_an_image_wraps_as_bare_samples_do(void **state) {
         bl_signal_free(raw);
     }
     bl_test_refuse_file("tile.exr", ":wrap=around", BL_USAGE, "none periodic mirror");
-    bl_test_refuse_file("tile.exr", ":interp=quintic", BL_USAGE, "nearest linear cubic");
+    bl_test_refuse_file("tile.exr", ":interp=quintic", BL_USAGE, "nearest linear catmull-rom");
 }
 
 // --- measurements ---

@@ -164,7 +164,7 @@ static double distance_of_steps(const bl_filter *filter, double widening) {
 
 static void claim_ideal(bl_run *run, const bl_filter_numbers *box,
                         const bl_filter_numbers *parabola) {
-    const bl_filter *flat = bl_filter_find("box"), *curved = bl_filter_find("smoothstep");
+    const bl_filter *flat = bl_filter_find("box"), *curved = bl_filter_find("parabola");
     static const char sentence[] =
         "Smoothstep in place of the step is like a quadratic filter, which is a better "
         "approximation to the ideal filter than the box: the squared difference to the ideal "
@@ -243,7 +243,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         numbers[f] = bl_filter_measure(bl_filter_at(f));
         if (bl_filter_at(f) == bl_filter_find("box"))
             box = &numbers[f];
-        if (bl_filter_at(f) == bl_filter_find("smoothstep"))
+        if (bl_filter_at(f) == bl_filter_find("parabola"))
             parabola = &numbers[f];
     }
     bl_run_setting(run, "filters", bl_run_text(run, "all %zu of the registry", count_of()));

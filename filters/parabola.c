@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// smoothstep: the parabola whose step is smoothstep over one width.
+// parabola: the kernel whose step is smoothstep over one width.
 //
 //   k(t) = 6 (1/4 - t^2) for |t| < 1/2, else 0
 //   step(t) = 3 u^2 - 2 u^3 with u = t + 1/2
@@ -24,12 +24,11 @@ static const bl_filter_pieces shape = {.kernel = {0, 2, {0.5}, {{3, 0, -12}}},
 
 BL_PIECES_ABILITIES(shape)
 
-BL_FILTER_DESCRIPTOR(smoothstep) = {
-    .name = "smoothstep",
-    .title = "parabola",
-    .summary = "The kernel whose step is smoothstep over one width.",
-    .formula = "6 (1/4 - t^2) for |t| < 1/2, else 0",
-    .paper = "peachey2003, p. 64",
-    .support = 0.5,
-    .continuity = 0,
-    BL_PIECES_FUNCTIONS(shape)};
+BL_FILTER_DESCRIPTOR(parabola) = {.name = "parabola",
+                                  .title = "parabola",
+                                  .summary = "The kernel whose step is smoothstep over one width.",
+                                  .formula = "6 (1/4 - t^2) for |t| < 1/2, else 0",
+                                  .paper = "peachey2003, p. 64",
+                                  .support = 0.5,
+                                  .continuity = 0,
+                                  BL_PIECES_FUNCTIONS(shape)};
