@@ -112,9 +112,10 @@ static void fill_json(json_t *object, const bl_signal *signal, const bl_view *vi
     bl_json_set_number(object, "tolerance", settings->tolerance);
     bl_json_set_text(object, "measure", settings->largest ? "largest" : "rms");
     bl_json_set_number(object, "reference_rms_error", advice->alias.reference_error);
-    bl_json_set_text(object, "verdict", bl_status_word(advice->verdict));
-    bl_json_set_count(object, "exit_status", (uint64_t)advice->verdict);
-    set_row(object, "advice", advice, advice->verdict == BL_OK ? advice->chosen : SIZE_MAX);
+    bl_json_set_text(object, "verdict", bl_verdict_word(advice->verdict));
+    bl_json_set_count(object, "exit_status", (uint64_t)bl_verdict_status(advice->verdict));
+    set_row(object, "advice", advice,
+            advice->verdict == BL_VERDICT_PASS ? advice->chosen : SIZE_MAX);
     set_row(object, "best", advice, advice->chosen);
     set_row(object, "next_cheaper", advice, advice->cheaper);
     for (size_t i = 0; i < advice->alias.count; i++)
@@ -142,16 +143,17 @@ static void print_fault(FILE *out, const bl_advice *advice, size_t row, double t
 static void print_choice(FILE *out, const bl_advice *advice, double tolerance,
                          const char *measure) {
     const bl_alias_row *chosen = &advice->alias.rows[advice->chosen];
-    if (advice->verdict == BL_OK)
+    if (advice->verdict == BL_VERDICT_PASS)
         fprintf(out, "use %s: %s error %.3g (%.3g to %.3g), %.4g ns a pixel (%.4g to %.4g)\n",
                 chosen->filter, measure, advice->error[advice->chosen].value,
                 advice->error[advice->chosen].lower, advice->error[advice->chosen].upper,
                 chosen->ns_per_sample, chosen->ns_lowest, chosen->ns_highest);
     else {
         fprintf(out, "none is %swithin the tolerance; the nearest is %s, %.4g ns a pixel\n",
-                advice->verdict == BL_FAIL ? "" : "surely ", chosen->filter, chosen->ns_per_sample);
+                advice->verdict == BL_VERDICT_FAIL ? "" : "surely ", chosen->filter,
+                chosen->ns_per_sample);
         print_fault(out, advice, advice->chosen, tolerance, measure);
-        if (advice->verdict == BL_INCONCLUSIVE)
+        if (advice->verdict == BL_VERDICT_INCONCLUSIVE)
             fputs("  its interval holds the tolerance: --full converges the reference further\n",
                   out);
     }
@@ -211,7 +213,7 @@ static bl_status advise(bl_call *call, const bl_signal *signal, const bl_view *v
         fill_json(call->json, signal, view, &settings, &advice);
     else if (!call->common.quiet)
         print_advice(call->out, signal, view, &settings, &advice);
-    status = advice.verdict;
+    status = bl_verdict_status(advice.verdict);
     bl_advice_free(&advice);
     call->message.text[0] = '\0';
     return status;

@@ -62,7 +62,7 @@ static json_t *row_json(const bl_bench_row *row) {
 }
 
 // Without --check the floors are shown and not judged.
-static void report_json(json_t *object, const bl_bench *bench, int checked, bl_status verdict) {
+static void report_json(json_t *object, const bl_bench *bench, int checked, bl_verdict verdict) {
     char processor[128];
     read_processor(processor, sizeof processor);
     bl_json_set_text(object, "processor", processor);
@@ -76,8 +76,8 @@ static void report_json(json_t *object, const bl_bench *bench, int checked, bl_s
         json_array_append_new(rows, row_json(&bench->rows[i]));
     json_object_set_new(object, "rows", rows);
     bl_json_set_count(object, "floors_missed", bl_bench_missed(bench));
-    bl_json_set_text(object, "verdict", checked ? bl_status_word(verdict) : "not judged");
-    bl_json_set_count(object, "exit_status", (uint64_t)verdict);
+    bl_json_set_text(object, "verdict", checked ? bl_verdict_word(verdict) : "not judged");
+    bl_json_set_count(object, "exit_status", (uint64_t)bl_verdict_status(verdict));
 }
 
 static void print_number(FILE *out, const char *format, int width, double number) {
@@ -101,7 +101,7 @@ static void print_row(bl_call *call, const bl_bench_row *row) {
     if (!isnan(row->floor))
         fprintf(out, "  %s %.3g %s", bl_bench_is_transform(row) ? "<=" : ">=",
                 bl_bench_is_transform(row) ? 1 / row->floor : row->floor,
-                bl_call_verdict(call, bl_bench_is_met(row) ? BL_OK : BL_FAIL));
+                bl_call_verdict(call, bl_bench_is_met(row) ? BL_VERDICT_PASS : BL_VERDICT_FAIL));
     fputc('\n', out);
 }
 
@@ -185,14 +185,15 @@ static bl_status run_bench(bl_call *call) {
                       .turn_seconds = bl_size_pick(call->size, 2e-4, 2e-3, 5e-3),
                       .progress = show_progress,
                       .user = call};
-    bl_status status = time_noises(call, &bench), verdict = BL_OK;
+    bl_status status = time_noises(call, &bench);
+    bl_verdict verdict = BL_VERDICT_PASS;
     if (status == BL_OK)
         status = bl_bench_peers(&bench, &call->message);
     if (status == BL_OK && call->operands.count == 0)
         status = bl_bench_psd(&bench, &call->message);
     bl_progress(call, NULL);
     if (settings->check && bl_bench_missed(&bench) > 0)
-        verdict = BL_FAIL;
+        verdict = BL_VERDICT_FAIL;
     if (status == BL_OK && bl_json_start(call))
         report_json(call->json, &bench, settings->check, verdict);
     else if (status == BL_OK && !call->common.quiet)
@@ -200,7 +201,7 @@ static bl_status run_bench(bl_call *call) {
     if (status == BL_OK && call->path)
         status = write_csv(call, &bench);
     free(bench.rows);
-    return status == BL_OK ? verdict : status;
+    return status == BL_OK ? bl_verdict_status(verdict) : status;
 }
 
 static const bl_option options[] = {{.name = "check",

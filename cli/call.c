@@ -151,19 +151,12 @@ void bl_progress(const bl_call *call, const char *format, ...) {
     fflush(stderr);
 }
 
-const char *bl_call_verdict(const bl_call *call, bl_status status) {
+const char *bl_call_verdict(const bl_call *call, bl_verdict verdict) {
     const char *no_color = getenv("NO_COLOR"), *term = getenv("TERM");
     if ((no_color && *no_color) || !term || strcmp(term, "dumb") == 0 || call->out != stdout ||
         !isatty(STDOUT_FILENO))
-        return bl_status_word(status);
-    switch (status) {
-    case BL_OK:
-        return "\033[32mpass\033[0m";
-    case BL_INCONCLUSIVE:
-        return "\033[33minconclusive\033[0m";
-    case BL_FAIL:
-        return "\033[31mfail\033[0m";
-    default:
-        return bl_status_word(status);
-    }
+        return bl_verdict_word(verdict);
+    static const char *const coloured[] = {"\033[32mpass\033[0m", "\033[33minconclusive\033[0m",
+                                           "\033[31mfail\033[0m", "not-run"};
+    return coloured[verdict];
 }

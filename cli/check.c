@@ -28,8 +28,8 @@ static void print_db(FILE *out, const char *name, double db) {
 
 static void report_json(json_t *object, const bl_signal *signal, const bl_psd *psd,
                         const bl_band_limit *limit) {
-    bl_json_set_text(object, "verdict", bl_status_word(limit->verdict));
-    bl_json_set_count(object, "exit_status", (uint64_t)limit->verdict);
+    bl_json_set_text(object, "verdict", bl_verdict_word(limit->verdict));
+    bl_json_set_count(object, "exit_status", (uint64_t)bl_verdict_status(limit->verdict));
     json_t *band = json_array();
     json_array_append_new(band, bl_json_number(limit->from));
     json_array_append_new(band, bl_json_number(limit->to));
@@ -57,7 +57,7 @@ static void report_text(bl_call *call, const bl_signal *signal, const bl_psd *ps
     print_db(out, "upper limit", limit->upper_db);
     print_db(out, "allowed", limit->limit_db);
     fprintf(out, "verdict        %s\n", bl_call_verdict(call, limit->verdict));
-    if (limit->verdict == BL_INCONCLUSIVE && limit->needed_averages)
+    if (limit->verdict == BL_VERDICT_INCONCLUSIVE && limit->needed_averages)
         fprintf(out, "about %zu averages would settle it: --average %zu\n", limit->needed_averages,
                 limit->needed_averages);
 }
@@ -143,7 +143,7 @@ static bl_status run_check(bl_call *call) {
     if (status != BL_OK)
         return status;
     call->message.text[0] = '\0';
-    return limit.verdict;
+    return bl_verdict_status(limit.verdict);
 }
 
 static const bl_option options[] = {

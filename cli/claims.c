@@ -15,7 +15,7 @@ enum { MOST = BL_SCORE_PROPERTIES * BL_SCORE_CLAIMS };
 // A claim, the property that judges it, and what was found.
 typedef struct claim_line {
     const char *property, *name, *reason;
-    bl_score_verdict verdict;
+    bl_verdict verdict;
 } claim_line;
 
 // Every claim of a property of several, and every other property that is judged against a claim.
@@ -57,28 +57,26 @@ static bl_status report_nothing(bl_call *call, const bl_signal *signal) {
                      signal->text, is_program ? ": a program cannot make claims" : "");
 }
 
-static bl_status verdict_of(const claim_line *lines, size_t count) {
-    bl_score_verdict worst = BL_SCORE_NOT_RUN;
+static bl_verdict verdict_of(const claim_line *lines, size_t count) {
+    bl_verdict worst = BL_VERDICT_NOT_RUN;
     for (size_t i = 0; i < count; i++)
-        worst = bl_score_worse(worst, lines[i].verdict);
-    return worst == BL_SCORE_FAIL           ? BL_FAIL
-           : worst == BL_SCORE_INCONCLUSIVE ? BL_INCONCLUSIVE
-                                            : BL_OK;
+        worst = bl_verdict_worse(worst, lines[i].verdict);
+    return worst;
 }
 
 static void report_json(json_t *object, const bl_scorecard *card, const claim_line *lines,
                         size_t count, double alpha) {
-    bl_status verdict = verdict_of(lines, count);
+    bl_verdict verdict = verdict_of(lines, count);
     json_t *claims = json_array(), *properties = json_object();
-    bl_json_set_text(object, "verdict", bl_status_word(verdict));
-    bl_json_set_count(object, "exit_status", (uint64_t)verdict);
+    bl_json_set_text(object, "verdict", bl_verdict_word(verdict));
+    bl_json_set_count(object, "exit_status", (uint64_t)bl_verdict_status(verdict));
     bl_json_set_text(object, "signal", card->signal->text);
     bl_json_set_number(object, "alpha", alpha);
     for (size_t i = 0; i < count; i++) {
         json_t *claim = json_object();
         bl_json_set_text(claim, "claim", lines[i].name);
         bl_json_set_text(claim, "property", lines[i].property);
-        bl_json_set_text(claim, "verdict", bl_score_word(lines[i].verdict));
+        bl_json_set_text(claim, "verdict", bl_verdict_word(lines[i].verdict));
         bl_json_set_text(claim, "reason", lines[i].reason);
         json_array_append_new(claims, claim);
     }
@@ -96,8 +94,8 @@ static void report_text(bl_call *call, const bl_scorecard *card, const claim_lin
     bl_plain_text(out, card->signal->text);
     fprintf(out, ": %zu claim%s\n", count, bl_plural(count));
     for (size_t i = 0; i < count; i++) {
-        const char *word = bl_score_word(lines[i].verdict);
-        fprintf(out, "%-14s %s%*s  ", lines[i].name, bl_scorecard_word(call, lines[i].verdict),
+        const char *word = bl_verdict_word(lines[i].verdict);
+        fprintf(out, "%-14s %s%*s  ", lines[i].name, bl_call_verdict(call, lines[i].verdict),
                 (int)(12 - strlen(word)), "");
         bl_plain_text(out, lines[i].reason);
         fputc('\n', out);
@@ -117,13 +115,14 @@ static bl_status write_csv(bl_call *call, const bl_scorecard *card, const claim_
     for (size_t i = 0; i < count; i++) {
         bl_csv_word(file.stream, lines[i].name, ',');
         bl_csv_word(file.stream, lines[i].property, ',');
-        bl_csv_word(file.stream, bl_score_word(lines[i].verdict), ',');
+        bl_csv_word(file.stream, bl_verdict_word(lines[i].verdict), ',');
         bl_csv_word(file.stream, lines[i].reason, '\n');
     }
     return bl_csv_close(call, &file);
 }
 
-static bl_status report(bl_call *call, const bl_scorecard *card, double alpha, bl_status *verdict) {
+static bl_status report(bl_call *call, const bl_scorecard *card, double alpha,
+                        bl_verdict *verdict) {
     claim_line lines[MOST];
     size_t count = list_claims(&card->score, lines);
     *verdict = verdict_of(lines, count);
@@ -137,7 +136,7 @@ static bl_status report(bl_call *call, const bl_scorecard *card, double alpha, b
 bl_status bl_check_claims(bl_call *call, double alpha) {
     bl_scorecard card = {0};
     bl_score_settings settings = bl_scorecard_settings(call, alpha, 1);
-    bl_status verdict = BL_OK;
+    bl_verdict verdict = BL_VERDICT_PASS;
     uint64_t wanted = (UINT64_C(1) << bl_property_count()) - 1;
     const char *text = call->operands.words[0];
     char doing[256];
@@ -151,5 +150,5 @@ bl_status bl_check_claims(bl_call *call, double alpha) {
     if (status == BL_OK)
         status = report(call, &card, alpha, &verdict);
     bl_scorecard_free(&card);
-    return status == BL_OK ? verdict : status;
+    return status == BL_OK ? bl_verdict_status(verdict) : status;
 }

@@ -38,14 +38,14 @@ static json_t *claim_json(const bl_claim *claim) {
     bl_json_set_number(object, "expected_lower", claim->expected_lower);
     bl_json_set_number(object, "expected_upper", claim->expected_upper);
     bl_json_set_estimate(object, "measured", &claim->measured);
-    bl_json_set_text(object, "verdict", bl_verdict_word(claim->verdict));
+    bl_json_set_text(object, "verdict", bl_outcome_word(bl_claim_outcome(claim)));
     return object;
 }
 
-static json_t *verdicts_json(const size_t *verdicts) {
+static json_t *outcomes_json(const size_t *outcomes) {
     json_t *object = json_object();
     for (int v = 0; v <= BL_NOT_RUN; v++)
-        bl_json_set_count(object, bl_verdict_word((bl_verdict)v), verdicts[v]);
+        bl_json_set_count(object, bl_outcome_word((bl_outcome)v), outcomes[v]);
     return object;
 }
 
@@ -60,17 +60,17 @@ static json_t *figure_json(const bl_figure_result *result) {
         json_array_append_new(claims, claim_json(&result->claims[i]));
     json_object_set_new(object, "files", files);
     json_object_set_new(object, "claims", claims);
-    json_object_set_new(object, "verdicts", verdicts_json(result->verdicts));
+    json_object_set_new(object, "verdicts", outcomes_json(result->outcomes));
     bl_json_set_number(object, "seconds", result->seconds);
     return object;
 }
 
 static void report_json(json_t *object, const bl_reproduction *result) {
     json_t *figures = json_array();
-    bl_json_set_text(object, "verdict", bl_status_word(result->verdict));
-    bl_json_set_count(object, "exit_status", (uint64_t)result->verdict);
+    bl_json_set_text(object, "verdict", bl_verdict_word(result->verdict));
+    bl_json_set_count(object, "exit_status", (uint64_t)bl_verdict_status(result->verdict));
     bl_json_set_text(object, "page", result->page);
-    json_object_set_new(object, "verdicts", verdicts_json(result->verdicts));
+    json_object_set_new(object, "verdicts", outcomes_json(result->outcomes));
     for (size_t i = 0; i < result->count; i++)
         json_array_append_new(figures, figure_json(&result->figures[i]));
     json_object_set_new(object, "figures", figures);
@@ -81,9 +81,9 @@ static void report_json(json_t *object, const bl_reproduction *result) {
 static void print_claim(FILE *out, const bl_claim *claim, const bl_claim *before) {
     if (!before || strcmp(before->sentence, claim->sentence) != 0)
         fprintf(out, "\n  %s (%s)\n", claim->sentence, claim->source);
-    fprintf(out, "    %-9s  %s", bl_verdict_word(claim->verdict),
+    fprintf(out, "    %-9s  %s", bl_outcome_word(bl_claim_outcome(claim)),
             claim->reading ? claim->reading : "");
-    if (claim->verdict == BL_NOT_RUN) {
+    if (claim->verdict == BL_VERDICT_NOT_RUN) {
         fputc('\n', out);
         return;
     }
@@ -101,7 +101,7 @@ static void print_claim(FILE *out, const bl_claim *claim, const bl_claim *before
 }
 
 // "claims: 83 hold, 1 is refuted, 2 were not run".
-static void print_counts(FILE *out, const size_t *verdicts) {
+static void print_counts(FILE *out, const size_t *outcomes) {
     static const struct {
         const char *one, *many;
     } words[] = {[BL_HOLDS] = {"holds", "hold"},
@@ -112,9 +112,9 @@ static void print_counts(FILE *out, const size_t *verdicts) {
     const char *between = "";
     fputs("claims: ", out);
     for (int v = 0; v <= BL_NOT_RUN; v++)
-        if (verdicts[v]) {
-            fprintf(out, "%s%zu %s", between, verdicts[v],
-                    verdicts[v] == 1 ? words[v].one : words[v].many);
+        if (outcomes[v]) {
+            fprintf(out, "%s%zu %s", between, outcomes[v],
+                    outcomes[v] == 1 ? words[v].one : words[v].many);
             between = ", ";
         }
     fputs(*between ? "\n" : "none\n", out);
@@ -130,7 +130,7 @@ static void report_text(bl_call *call, const bl_reproduction *result) {
             print_claim(out, &figure->claims[i], i ? &figure->claims[i - 1] : NULL);
         fputc('\n', out);
     }
-    print_counts(out, result->verdicts);
+    print_counts(out, result->outcomes);
     fprintf(out, "verdict: %s\npage: ", bl_call_verdict(call, result->verdict));
     bl_plain_text(out, result->page);
     fputc('\n', out);
@@ -162,7 +162,7 @@ bl_status bl_figures_run(bl_call *call, const char *const *names, size_t count,
     if (status != BL_OK)
         return status;
     bl_progress(call, NULL);
-    status = result.verdict;
+    status = bl_verdict_status(result.verdict);
     call->message.text[0] = '\0';
     report(call, &result);
     bl_reproduction_free(&result);

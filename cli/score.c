@@ -87,11 +87,11 @@ static bl_status read_texts(bl_call *call, bl_words *texts) {
 // --- reports ---
 
 static void report_json(bl_call *call, const bl_scorecard *cards, size_t count,
-                        const bl_score_settings *used, bl_status verdict) {
+                        const bl_score_settings *used, bl_verdict verdict) {
     const score_settings *settings = call->settings;
     json_t *rows = json_array();
-    bl_json_set_text(call->json, "verdict", bl_status_word(verdict));
-    bl_json_set_count(call->json, "exit_status", (uint64_t)verdict);
+    bl_json_set_text(call->json, "verdict", bl_verdict_word(verdict));
+    bl_json_set_count(call->json, "exit_status", (uint64_t)bl_verdict_status(verdict));
     bl_json_set_number(call->json, "alpha", used->alpha);
     bl_json_set_number(call->json, "level", used->level);
     bl_json_set_text(call->json, "size", bl_size_word(used->size));
@@ -113,7 +113,7 @@ static void write_row(FILE *out, const bl_signal *signal, const bl_property *pro
                       const bl_score_property *result, const bl_score_number *number) {
     bl_csv_word(out, signal->text, ',');
     bl_csv_word(out, property->name, ',');
-    bl_csv_word(out, bl_score_word(result->verdict), ',');
+    bl_csv_word(out, bl_verdict_word(result->verdict), ',');
     bl_csv_word(out, bl_score_against_word(result->against), ',');
     bl_csv_word(out, number ? number->name : "", ',');
     if (!number) {
@@ -159,7 +159,7 @@ static int ends_with(const char *text, const char *ending) {
 }
 
 static bl_status write_page(bl_call *call, const bl_scorecard *cards, size_t count,
-                            const bl_score_settings *used, bl_status verdict) {
+                            const bl_score_settings *used, bl_verdict verdict) {
     bl_score_view *views = calloc(count, sizeof *views);
     if (!views)
         return bl_report(&call->message, BL_DEVICE, "out of memory");
@@ -171,7 +171,7 @@ static bl_status write_page(bl_call *call, const bl_scorecard *cards, size_t cou
 }
 
 static bl_status report(bl_call *call, const bl_scorecard *cards, size_t count,
-                        const bl_score_settings *used, bl_status verdict) {
+                        const bl_score_settings *used, bl_verdict verdict) {
     if (bl_json_start(call))
         report_json(call, cards, count, used, verdict);
     else if (!call->common.quiet)
@@ -184,12 +184,10 @@ static bl_status report(bl_call *call, const bl_scorecard *cards, size_t count,
 
 // --- the run ---
 
-static bl_status find_verdict(const bl_scorecard *cards, size_t count, int strict) {
-    bl_status verdict = BL_OK;
-    for (size_t s = 0; s < count; s++) {
-        bl_status one = bl_score_status(&cards[s].score, 1, strict);
-        verdict = verdict == BL_FAIL || one == BL_OK ? verdict : one;
-    }
+static bl_verdict find_verdict(const bl_scorecard *cards, size_t count, int strict) {
+    bl_verdict verdict = BL_VERDICT_PASS;
+    for (size_t s = 0; s < count; s++)
+        verdict = bl_verdict_worse(verdict, bl_score_verdict(&cards[s].score, 1, strict));
     return verdict;
 }
 
@@ -216,7 +214,8 @@ static bl_status run_score(bl_call *call) {
     bl_words texts = {0};
     uint64_t wanted;
     bl_scorecard *cards = NULL;
-    bl_status verdict = BL_OK, status = read_wanted(call, &wanted);
+    bl_verdict verdict = BL_VERDICT_PASS;
+    bl_status status = read_wanted(call, &wanted);
     if (status == BL_OK)
         status = read_texts(call, &texts);
     if (status == BL_OK && !(cards = calloc(texts.count, sizeof *cards)))
@@ -232,7 +231,7 @@ static bl_status run_score(bl_call *call) {
         bl_scorecard_free(&cards[s]);
     free(cards);
     bl_words_free(&texts);
-    return status == BL_OK ? verdict : status;
+    return status == BL_OK ? bl_verdict_status(verdict) : status;
 }
 
 static const bl_option options[] = {

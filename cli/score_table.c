@@ -51,8 +51,8 @@ static void put_words(paragraph *p, const char *colour, const char *text) {
 }
 
 // A word as wide as a column can afford; the reasons below say it in full.
-static const char *short_word(bl_score_verdict verdict) {
-    static const char *const words[] = {"pass", "fail", "?", "-"};
+static const char *short_word(bl_verdict verdict) {
+    static const char *const words[] = {"pass", "?", "fail", "-"};
     return words[verdict];
 }
 
@@ -64,13 +64,13 @@ static int is_asked(const bl_scorecard *cards, size_t count, size_t property) {
 }
 
 static int is_starred(const bl_score_property *result) {
-    return result->verdict != BL_SCORE_NOT_RUN && result->against == BL_AGAINST_IDEAL;
+    return result->verdict != BL_VERDICT_NOT_RUN && result->against == BL_AGAINST_IDEAL;
 }
 
 // What stands in the table, without colour. A number that is not judged stands alone; a star marks
 // what is judged against the ideal.
 static void entry_text(const bl_score_property *result, char *text, size_t size) {
-    int bare = result->verdict == BL_SCORE_NOT_RUN && result->cell[0];
+    int bare = result->verdict == BL_VERDICT_NOT_RUN && result->cell[0];
     snprintf(text, size, "%s%s%s%s", bare ? "" : short_word(result->verdict),
              is_starred(result) ? "*" : "", !bare && result->cell[0] ? " " : "", result->cell);
 }
@@ -136,8 +136,9 @@ static void print_reasons(bl_call *call, const bl_scorecard *card, size_t width)
     int any = 0;
     for (size_t i = 0; i < bl_property_count(); i++) {
         const bl_score_property *result = &card->score.properties[i];
-        int shown = result->verdict == BL_SCORE_FAIL || result->verdict == BL_SCORE_INCONCLUSIVE;
-        shown |= result->verdict == BL_SCORE_NOT_RUN && !result->cell[0] &&
+        int shown =
+            result->verdict == BL_VERDICT_FAIL || result->verdict == BL_VERDICT_INCONCLUSIVE;
+        shown |= result->verdict == BL_VERDICT_NOT_RUN && !result->cell[0] &&
                  strcmp(result->reason, BL_SCORE_NOT_ASKED) != 0;
         if (!shown)
             continue;
@@ -146,7 +147,7 @@ static void print_reasons(bl_call *call, const bl_scorecard *card, size_t width)
             fputc('\n', call->out);
         }
         paragraph p = start_paragraph(call->out, width, bl_property_at(i)->name);
-        put_words(&p, bl_scorecard_colour(call, result->verdict), bl_score_word(result->verdict));
+        put_words(&p, bl_scorecard_colour(call, result->verdict), bl_verdict_word(result->verdict));
         put_words(&p, "",
                   result->against == BL_AGAINST_CLAIM ? "against its claim:"
                                                       : "against the ideal:");
@@ -170,8 +171,8 @@ static void print_legend(bl_call *call, const bl_scorecard *cards, size_t count,
         for (size_t s = 0; s < count; s++) {
             const bl_score_property *result = &cards[s].score.properties[i];
             starred |= is_starred(result);
-            unsure |= result->verdict == BL_SCORE_INCONCLUSIVE;
-            idle |= result->verdict == BL_SCORE_NOT_RUN && !result->cell[0];
+            unsure |= result->verdict == BL_VERDICT_INCONCLUSIVE;
+            idle |= result->verdict == BL_VERDICT_NOT_RUN && !result->cell[0];
         }
         paragraph p = start_paragraph(call->out, width, bl_property_at(i)->title);
         put_words(&p, "", bl_property_at(i)->entry);

@@ -89,14 +89,14 @@ static json_t *number_json(const bl_estimate *estimate) {
 
 json_t *bl_scorecard_json(const bl_score_property *property) {
     json_t *object = json_object(), *claims = json_array(), *numbers = json_object();
-    bl_json_set_text(object, "verdict", bl_score_word(property->verdict));
+    bl_json_set_text(object, "verdict", bl_verdict_word(property->verdict));
     bl_json_set_text(object, "against", bl_score_against_word(property->against));
     bl_json_set_text(object, "reason", property->reason);
     bl_json_set_text(object, "cell", property->cell);
     for (size_t i = 0; i < property->claim_count; i++) {
         json_t *claim = json_object();
         bl_json_set_text(claim, "name", property->claims[i].name);
-        bl_json_set_text(claim, "verdict", bl_score_word(property->claims[i].verdict));
+        bl_json_set_text(claim, "verdict", bl_verdict_word(property->claims[i].verdict));
         bl_json_set_text(claim, "reason", property->claims[i].reason);
         json_array_append_new(claims, claim);
     }
@@ -108,21 +108,8 @@ json_t *bl_scorecard_json(const bl_score_property *property) {
     return object;
 }
 
-static bl_status status_of(bl_score_verdict verdict) {
-    static const bl_status statuses[] = {[BL_SCORE_PASS] = BL_OK,
-                                         [BL_SCORE_FAIL] = BL_FAIL,
-                                         [BL_SCORE_INCONCLUSIVE] = BL_INCONCLUSIVE,
-                                         [BL_SCORE_NOT_RUN] = BL_OK};
-    return statuses[verdict];
-}
-
-const char *bl_scorecard_word(const bl_call *call, bl_score_verdict verdict) {
-    return verdict == BL_SCORE_NOT_RUN ? bl_score_word(verdict)
-                                       : bl_call_verdict(call, status_of(verdict));
-}
-
-const char *bl_scorecard_colour(const bl_call *call, bl_score_verdict verdict) {
-    static const char *const colours[] = {"\033[32m", "\033[31m", "\033[33m", ""};
+const char *bl_scorecard_colour(const bl_call *call, bl_verdict verdict) {
+    static const char *const colours[] = {"\033[32m", "\033[33m", "\033[31m", ""};
     // The word is coloured where colours may be.
-    return *bl_call_verdict(call, BL_OK) == '\033' ? colours[verdict] : "";
+    return *bl_call_verdict(call, BL_VERDICT_PASS) == '\033' ? colours[verdict] : "";
 }

@@ -29,10 +29,7 @@ void bl_scorecard_free(bl_scorecard *card);
 // {"verdict": ..., "against": ..., "reason": ..., "cell": ..., "claims": [...], "numbers": {...}}
 json_t *bl_scorecard_json(const bl_score_property *property);
 
-// The word of a verdict, coloured as bl_call_verdict is; constant text.
-const char *bl_scorecard_word(const bl_call *call, bl_score_verdict verdict);
-
 // What starts the colour of a verdict; "" where nothing is to be coloured. Constant text.
-const char *bl_scorecard_colour(const bl_call *call, bl_score_verdict verdict);
+const char *bl_scorecard_colour(const bl_call *call, bl_verdict verdict);
 
 #endif

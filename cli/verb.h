@@ -14,6 +14,7 @@
 #include "cli/option.h"
 #include "core/signal.h"
 #include "core/size.h"
+#include "core/verdict.h"
 #include "core/version.h"
 #include "noises/noise.h"
 
@@ -106,6 +107,6 @@ void bl_progress(const bl_call *call, const char *format, ...)
 
 // The word of a verdict, coloured when the report goes to a terminal and NO_COLOR is not set. The
 // result is constant text.
-const char *bl_call_verdict(const bl_call *call, bl_status status);
+const char *bl_call_verdict(const bl_call *call, bl_verdict verdict);
 
 #endif

@@ -9,8 +9,8 @@
 #define BL_CORE_STATUS_H
 
 typedef enum bl_status {
-    BL_OK = 0,           // done; for a verdict: pass
-    BL_INCONCLUSIVE = 1, // the interval straddles the limit
+    BL_OK = 0,           // done; of a verb: its verdict is pass
+    BL_INCONCLUSIVE = 1, // a verdict (core/verdict.h): the interval straddles the limit
     BL_FAIL = 2,         // measured, and outside the limit
     BL_MISMATCH = 3,     // inputs that do not fit together, or do not fit in memory
     BL_DEVICE = 4,       // a file, a device or the memory allocator refused
@@ -26,7 +26,7 @@ typedef struct bl_message {
 bl_status bl_report(bl_message *message, bl_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-// "pass", "inconclusive", "fail", ...: the word of a status in verdicts and JSON.
+// "mismatch", "device error", ...: the word of a status in JSON.
 const char *bl_status_word(bl_status status);
 
 #endif

@@ -18,6 +18,7 @@ extern "C" {
 #include "core/hash.h"
 #include "core/random.h"
 #include "core/statistics.h"
+#include "core/verdict.h"
 #include "core/piecewise.h"
 #include "core/file.h"
 #include "noises/noise.h"

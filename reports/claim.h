@@ -9,14 +9,16 @@
 #define BL_REPORTS_CLAIM_H
 
 #include "core/statistics.h"
+#include "core/verdict.h"
 
-typedef enum bl_verdict {
-    BL_HOLDS,     // the interval lies within the expectation
-    BL_UNDECIDED, // it straddles a limit
-    BL_REFUTED,   // it lies outside; the claim is a paper's: a finding, the run goes on
-    BL_BROKEN,    // it lies outside; the claim is our own: the run fails
+// How a claim tells its verdict.
+typedef enum bl_outcome {
+    BL_HOLDS,     // pass
+    BL_UNDECIDED, // inconclusive
+    BL_REFUTED,   // fail, and the claim is a paper's: a finding, the run goes on
+    BL_BROKEN,    // fail, and the claim is our own: the run fails
     BL_NOT_RUN
-} bl_verdict;
+} bl_outcome;
 
 typedef struct bl_claim {
     const char *sentence; // our own words
@@ -29,9 +31,12 @@ typedef struct bl_claim {
     bl_verdict verdict;
 } bl_claim;
 
-// Fills the verdict from expected, measured and whether the source is "bandlimit".
+// Fills the verdict from expected and measured.
 void bl_claim_judge(bl_claim *claim);
+
+int bl_claim_is_ours(const bl_claim *claim); // its source is "bandlimit"
+bl_outcome bl_claim_outcome(const bl_claim *claim);
 const char *
-bl_verdict_word(bl_verdict verdict); // "holds", "undecided", "refuted", "broken", "not run"
+bl_outcome_word(bl_outcome outcome); // "holds", "undecided", "refuted", "broken", "not run"
 
 #endif

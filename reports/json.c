@@ -35,7 +35,7 @@ static json_t *claim_json(const bl_claim *claim) {
         number(claim->expected_lower), number(claim->expected_upper), "measured", number(m->value),
         "interval", number(known ? m->lower : NAN), number(known ? m->upper : NAN), "level",
         number(known ? m->level : NAN), "samples", number(m->samples), "samples_of",
-        claim->counted ? claim->counted : "", "verdict", bl_verdict_word(claim->verdict));
+        claim->counted ? claim->counted : "", "verdict", bl_outcome_word(bl_claim_outcome(claim)));
 }
 
 static json_t *settings_json(const bl_run_view *view) {
@@ -45,11 +45,11 @@ static json_t *settings_json(const bl_run_view *view) {
     return object;
 }
 
-static json_t *verdicts_json(const bl_figure_result *result) {
+static json_t *outcomes_json(const bl_figure_result *result) {
     json_t *object = json_object();
     for (int v = 0; v <= BL_NOT_RUN; v++)
-        json_object_set_new(object, bl_verdict_word((bl_verdict)v),
-                            json_integer((json_int_t)result->verdicts[v]));
+        json_object_set_new(object, bl_outcome_word((bl_outcome)v),
+                            json_integer((json_int_t)result->outcomes[v]));
     return object;
 }
 
@@ -67,7 +67,7 @@ static json_t *figure_json(const bl_run_view *view, const bl_reproduce_settings 
                      "title", figure->title, "question", figure->question, "paper", figure->paper,
                      "shows", figure->shows, "size", bl_size_word(settings->size), "seed",
                      seed_json(settings->seed), "settings", settings_json(view), "verdicts",
-                     verdicts_json(result), "claims", claims, "files", files);
+                     outcomes_json(result), "claims", claims, "files", files);
 }
 
 bl_status bl_run_write_json(const bl_run_view *view, const bl_reproduce_settings *settings,

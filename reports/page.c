@@ -131,20 +131,20 @@ static size_t count_claims(const bl_run_view *views, size_t count) {
 }
 
 static void put_tally(FILE *out, const bl_run_view *views, size_t count) {
-    size_t verdicts[BL_NOT_RUN + 1] = {0};
+    size_t outcomes[BL_NOT_RUN + 1] = {0};
     for (size_t f = 0; f < count; f++)
         for (int v = 0; v <= BL_NOT_RUN; v++)
-            verdicts[v] += views[f].result->verdicts[v];
+            outcomes[v] += views[f].result->outcomes[v];
     fprintf(out,
             "<p>%zu figure%s, %zu claims measured. A claim of a paper that is refuted is a "
             "finding; a claim of our own that is broken is a fault.</p>\n"
             "<ul class=\"tally\">\n",
             count, count == 1 ? "" : "s", count_claims(views, count));
     for (int v = 0; v <= BL_NOT_RUN; v++) {
-        if (verdicts[v] == 0 && (v == BL_NOT_RUN || v == BL_UNDECIDED))
+        if (outcomes[v] == 0 && (v == BL_NOT_RUN || v == BL_UNDECIDED))
             continue;
-        fprintf(out, "<li><b>%zu</b>", verdicts[v]);
-        bl_page_verdict(out, (bl_verdict)v);
+        fprintf(out, "<li><b>%zu</b>", outcomes[v]);
+        bl_page_outcome(out, (bl_outcome)v);
         fputs("</li>\n", out);
     }
     fputs("</ul>\n", out);

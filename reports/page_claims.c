@@ -8,18 +8,18 @@
 
 #include "reports/html.h"
 
-static const char *verdict_sign(bl_verdict verdict) {
+static const char *outcome_sign(bl_outcome outcome) {
     static const char *const signs[] = {"&#10003;", "?", "&#10007;", "!", "&ndash;"};
-    return signs[verdict];
+    return signs[outcome];
 }
 
-static const char *verdict_class(bl_verdict verdict) {
-    return verdict == BL_NOT_RUN ? "soft" : bl_verdict_word(verdict);
+static const char *outcome_class(bl_outcome outcome) {
+    return outcome == BL_NOT_RUN ? "soft" : bl_outcome_word(outcome);
 }
 
-void bl_page_verdict(FILE *out, bl_verdict verdict) {
-    fprintf(out, "<span class=\"%s\">%s %s</span>", verdict_class(verdict), verdict_sign(verdict),
-            bl_verdict_word(verdict));
+void bl_page_outcome(FILE *out, bl_outcome outcome) {
+    fprintf(out, "<span class=\"%s\">%s %s</span>", outcome_class(outcome), outcome_sign(outcome),
+            bl_outcome_word(outcome));
 }
 
 static void put_unit(FILE *out, const bl_claim *claim) {
@@ -78,7 +78,7 @@ static void put_claim(FILE *out, const bl_claim *claim, int first) {
             claim->measured.samples);
     bl_html_tagged(out, "", claim->counted ? claim->counted : "", "");
     fputs("</span></td><td data-label=\"verdict\">", out);
-    bl_page_verdict(out, claim->verdict);
+    bl_page_outcome(out, bl_claim_outcome(claim));
     fputs("</td></tr>\n", out);
 }
 
@@ -96,7 +96,7 @@ void bl_page_claims(FILE *out, const bl_figure_result *result) {
 }
 
 static int fails(const bl_claim *claim) {
-    return claim->verdict == BL_REFUTED || claim->verdict == BL_BROKEN;
+    return claim->verdict == BL_VERDICT_FAIL;
 }
 
 // One sentence, claims `from` to `to` - 1, with the readings in which it fails.
@@ -111,7 +111,7 @@ static void put_finding(FILE *out, const bl_figure_result *result, size_t from, 
         if (!fails(claim))
             continue;
         fputs("<li>", out);
-        bl_page_verdict(out, claim->verdict);
+        bl_page_outcome(out, bl_claim_outcome(claim));
         bl_html_tagged(out, " ", claim->reading, ": ");
         put_measured(out, claim);
         fputs(", interval ", out);

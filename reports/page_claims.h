@@ -8,8 +8,8 @@
 
 #include "reports/run.h"
 
-// A verdict with its sign, in its colour.
-void bl_page_verdict(FILE *out, bl_verdict verdict);
+// An outcome with its sign, in its colour.
+void bl_page_outcome(FILE *out, bl_outcome outcome);
 
 // The table of a figure's claims, a row for each reading; nothing for a figure without claims.
 void bl_page_claims(FILE *out, const bl_figure_result *result);

@@ -86,26 +86,16 @@ static void free_runs(runs *all) {
     free(all);
 }
 
-static bl_status verdict_of(const bl_claim *claim) {
-    if (strcmp(claim->source, "bandlimit") != 0)
-        return BL_OK;
-    return claim->verdict == BL_BROKEN      ? BL_FAIL
-           : claim->verdict == BL_UNDECIDED ? BL_INCONCLUSIVE
-                                            : BL_OK;
-}
-
 static void sum_up(const runs *all, bl_reproduction *result) {
     for (size_t i = 0; i < all->count; i++) {
         const bl_figure_result *figure = bl_run_look(all->run[i]).result;
         result->figures[i] = *figure;
         result->seconds += figure->seconds;
         for (int v = 0; v <= BL_NOT_RUN; v++)
-            result->verdicts[v] += figure->verdicts[v];
-        for (size_t c = 0; c < figure->claim_count; c++) {
-            bl_status verdict = verdict_of(&figure->claims[c]);
-            if (verdict > result->verdict)
-                result->verdict = verdict;
-        }
+            result->outcomes[v] += figure->outcomes[v];
+        for (size_t c = 0; c < figure->claim_count; c++)
+            if (bl_claim_is_ours(&figure->claims[c]))
+                result->verdict = bl_verdict_worse(result->verdict, figure->claims[c].verdict);
     }
     result->count = all->count;
 }
@@ -128,7 +118,7 @@ static bl_status write_page(const runs *all, const bl_reproduce_settings *settin
 bl_status bl_reproduce(const char *const *names, size_t count,
                        const bl_reproduce_settings *settings, bl_reproduction *result,
                        bl_message *message) {
-    *result = (bl_reproduction){.verdict = BL_OK};
+    *result = (bl_reproduction){.verdict = BL_VERDICT_PASS};
     bl_status status = check(names, count, settings, message);
     if (status != BL_OK)
         return status;

@@ -44,16 +44,16 @@ typedef struct bl_figure_result {
     size_t file_count;
     bl_claim *claims; // judged
     size_t claim_count;
-    size_t verdicts[BL_NOT_RUN + 1]; // claims by verdict
+    size_t outcomes[BL_NOT_RUN + 1]; // how many claims hold, are undecided, ...
     double seconds;
 } bl_figure_result;
 
 typedef struct bl_reproduction {
     bl_figure_result *figures;
     size_t count;
-    size_t verdicts[BL_NOT_RUN + 1]; // over all figures
-    bl_status verdict; // BL_OK; BL_INCONCLUSIVE: a claim of our own is undecided; BL_FAIL: broken
-    char *page;        // path of index.html
+    size_t outcomes[BL_NOT_RUN + 1]; // over all figures
+    bl_verdict verdict;              // the worst of our own claims; those of papers fail nothing
+    char *page;                      // path of index.html
     double seconds;
     void *owned; // what the results refer to
 } bl_reproduction;

@@ -224,7 +224,7 @@ void bl_run_claim(bl_run *run, const bl_claim *claim) {
     bl_claim *kept = &result->claims[result->claim_count++];
     *kept = *claim;
     bl_claim_judge(kept);
-    result->verdicts[kept->verdict]++;
+    result->outcomes[bl_claim_outcome(kept)]++;
 }
 
 bl_run_view bl_run_look(const bl_run *run) {

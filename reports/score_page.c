@@ -25,26 +25,26 @@ static const char own_style[] =
     "position:static;clip-path:none}.score tbody{display:table-row-group}.score "
     "tr{display:table-row}.score th,.score td{display:table-cell;width:auto}}\n";
 
-static const char *class_of(bl_score_verdict verdict) {
-    static const char *const classes[] = {"holds", "broken", "undecided", "soft"};
+static const char *class_of(bl_verdict verdict) {
+    static const char *const classes[] = {"holds", "undecided", "broken", "soft"};
     return classes[verdict];
 }
 
 static void put_verdict(FILE *out, const bl_score_property *result) {
-    static const char *const signs[] = {"\u2713", "\u2717", "?", "\u2013"};
+    static const char *const signs[] = {"\u2713", "?", "\u2717", "\u2013"};
     fprintf(out, "<span class=\"%s\">%s %s</span>", class_of(result->verdict),
-            signs[result->verdict], bl_score_word(result->verdict));
+            signs[result->verdict], bl_verdict_word(result->verdict));
 }
 
 // An entry of the table; one that is judged against the ideal alone is set in italics.
 static void put_entry(FILE *out, const bl_score_property *result) {
-    static const char *const words[] = {"\u2713", "\u2717", "?", "\u2013"};
+    static const char *const words[] = {"\u2713", "?", "\u2717", "\u2013"};
     bl_html_tagged(out, "<td title=\"", result->reason, "\">");
     fprintf(out, "<span class=\"%s\">%s</span> ", class_of(result->verdict),
             words[result->verdict]);
     int ideal = result->against == BL_AGAINST_IDEAL;
     bl_html_tagged(out, ideal ? "<i>" : "", result->cell, ideal ? "</i>" : "");
-    fprintf(out, "<span class=\"hidden\"> %s</span></td>", bl_score_word(result->verdict));
+    fprintf(out, "<span class=\"hidden\"> %s</span></td>", bl_verdict_word(result->verdict));
 }
 
 static void put_table(FILE *out, const bl_score_view *views, size_t count) {
@@ -120,19 +120,18 @@ static void put_signal(FILE *out, const bl_score_view *view, size_t index) {
 }
 
 static void put_tally(FILE *out, const bl_score_view *views, size_t count) {
-    size_t tally[BL_SCORE_NOT_RUN + 1][2] = {{0}};
+    size_t tally[BL_VERDICT_NOT_RUN + 1][2] = {{0}};
     for (size_t s = 0; s < count; s++)
         for (size_t i = 0; i < bl_property_count(); i++) {
             const bl_score_property *result = &views[s].score->properties[i];
             tally[result->verdict][result->against == BL_AGAINST_IDEAL]++;
         }
     fputs("<ul class=\"tally\">\n", out);
-    for (int v = 0; v < BL_SCORE_NOT_RUN; v++)
+    for (int v = 0; v < BL_VERDICT_NOT_RUN; v++)
         fprintf(out,
                 "<li><b>%zu</b><span class=\"%s\">%s</span> <span class=\"soft\">against claims; "
                 "%zu against the ideal</span></li>\n",
-                tally[v][0], class_of((bl_score_verdict)v), bl_score_word((bl_score_verdict)v),
-                tally[v][1]);
+                tally[v][0], class_of((bl_verdict)v), bl_verdict_word((bl_verdict)v), tally[v][1]);
     fputs("</ul>\n", out);
 }
 
@@ -153,7 +152,7 @@ static void put_guide(FILE *out, const bl_score_settings *settings) {
 }
 
 bl_status bl_score_page_write(const char *path, const bl_score_view *views, size_t count,
-                              const bl_score_settings *settings, bl_status verdict,
+                              const bl_score_settings *settings, bl_verdict verdict,
                               bl_message *message) {
     bl_file file;
     bl_status status = bl_file_create(path, &file, message);
@@ -168,7 +167,7 @@ bl_status bl_score_page_write(const char *path, const bl_score_view *views, size
     fputs(bl_page_style, out);
     fputs(own_style, out);
     fprintf(out, "</style>\n</head>\n<body>\n<header>\n<h1>Scorecard: %zu signal%s, %s</h1>\n",
-            count, count == 1 ? "" : "s", bl_status_word(verdict));
+            count, count == 1 ? "" : "s", bl_verdict_word(verdict));
     put_tally(out, views, count);
     fputs("</header>\n<main>\n", out);
     put_table(out, views, count);

@@ -15,7 +15,7 @@ typedef struct bl_score_view {
 
 // Writes the page; `verdict` is that of the table. Errors: BL_DEVICE.
 bl_status bl_score_page_write(const char *path, const bl_score_view *views, size_t count,
-                              const bl_score_settings *settings, bl_status verdict,
+                              const bl_score_settings *settings, bl_verdict verdict,
                               bl_message *message);
 
 #endif

@@ -104,7 +104,9 @@ void bl_advice_choose(bl_advice *advice, double tolerance) {
             best = i;
         maybe |= advice->error[i].lower <= tolerance;
     }
-    advice->verdict = within != SIZE_MAX ? BL_OK : maybe ? BL_INCONCLUSIVE : BL_FAIL;
+    advice->verdict = within != SIZE_MAX ? BL_VERDICT_PASS
+                      : maybe            ? BL_VERDICT_INCONCLUSIVE
+                                         : BL_VERDICT_FAIL;
     advice->chosen = within != SIZE_MAX ? within : best;
     advice->cheaper = SIZE_MAX;
     for (size_t i = 0; i < advice->alias.count; i++)

@@ -11,6 +11,7 @@
 #define BL_SCORE_ADVISE_H
 
 #include "aliasing/alias.h"
+#include "core/verdict.h"
 
 typedef struct bl_advise_settings {
     double tolerance; // of the luminance, above 0
@@ -39,9 +40,9 @@ typedef struct bl_advice {
     bl_alias_result alias; // all that was measured; rows as the methods were given
     bl_estimate *error;    // of each row, by the measure asked for; owned
     bl_worst_pixel *worst; // of each row; owned
-    // BL_OK: `chosen` is within the tolerance. BL_INCONCLUSIVE: none surely is, but one may be.
-    // BL_FAIL: all are beyond.
-    bl_status verdict;
+    // Pass: `chosen` is within the tolerance. Inconclusive: none surely is, but one may be. Fail:
+    // all are beyond.
+    bl_verdict verdict;
     size_t chosen;  // the cheapest that is within; else that of the least error
     size_t cheaper; // the dearest of the cheaper ones; SIZE_MAX: there is none
     bl_scene_needs needs;

@@ -50,7 +50,7 @@ bl_status bl_score_measure(const bl_score_subject *subject, const bl_score_setti
     memset(score, 0, sizeof *score);
     for (size_t i = 0; registry[i]; i++) {
         bl_score_property *result = &score->properties[i];
-        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, BL_SCORE_NOT_ASKED);
+        bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL, BL_SCORE_NOT_ASKED);
         if (!(wanted >> i & 1))
             continue;
         bl_status status = registry[i]->measure(subject, &share, result, message);
@@ -86,7 +86,7 @@ const bl_score_number *bl_score_find(const bl_score_property *result, const char
     return NULL;
 }
 
-void bl_score_judge(bl_score_property *result, bl_score_verdict verdict, bl_score_against against,
+void bl_score_judge(bl_score_property *result, bl_verdict verdict, bl_score_against against,
                     const char *format, ...) {
     va_list arguments;
     result->verdict = verdict;
@@ -96,7 +96,7 @@ void bl_score_judge(bl_score_property *result, bl_score_verdict verdict, bl_scor
     va_end(arguments);
 }
 
-void bl_score_add_claim(bl_score_property *result, const char *name, bl_score_verdict verdict,
+void bl_score_add_claim(bl_score_property *result, const char *name, bl_verdict verdict,
                         const char *format, ...) {
     va_list arguments;
     assert(result->claim_count < BL_SCORE_CLAIMS);
@@ -110,34 +110,17 @@ void bl_score_add_claim(bl_score_property *result, const char *name, bl_score_ve
     va_end(arguments);
 }
 
-bl_score_verdict bl_score_worse(bl_score_verdict a, bl_score_verdict b) {
-    static const int badness[] = {[BL_SCORE_NOT_RUN] = 0,
-                                  [BL_SCORE_PASS] = 1,
-                                  [BL_SCORE_INCONCLUSIVE] = 2,
-                                  [BL_SCORE_FAIL] = 3};
-    return badness[a] >= badness[b] ? a : b;
-}
-
-const char *bl_score_word(bl_score_verdict verdict) {
-    static const char *const words[] = {"pass", "fail", "inconclusive", "not-run"};
-    return words[verdict];
-}
-
 const char *bl_score_against_word(bl_score_against against) {
     return against == BL_AGAINST_CLAIM ? "claim" : "ideal";
 }
 
-bl_status bl_score_status(const bl_score *scores, size_t count, int strict) {
-    bl_status status = BL_OK;
+bl_verdict bl_score_verdict(const bl_score *scores, size_t count, int strict) {
+    bl_verdict verdict = BL_VERDICT_PASS;
     for (size_t s = 0; s < count; s++)
         for (size_t i = 0; registry[i]; i++) {
             const bl_score_property *one = &scores[s].properties[i];
-            if (one->against == BL_AGAINST_IDEAL && !strict)
-                continue;
-            if (one->verdict == BL_SCORE_FAIL)
-                return BL_FAIL;
-            if (one->verdict == BL_SCORE_INCONCLUSIVE)
-                status = BL_INCONCLUSIVE;
+            if (one->against == BL_AGAINST_CLAIM || strict)
+                verdict = bl_verdict_worse(verdict, one->verdict);
         }
-    return status;
+    return verdict;
 }

@@ -21,6 +21,7 @@
 #include "core/signal.h"
 #include "core/size.h"
 #include "core/statistics.h"
+#include "core/verdict.h"
 
 enum {
     BL_SCORE_NUMBERS = 40,    // of a property, at most
@@ -28,13 +29,6 @@ enum {
     BL_SCORE_CLAIMS = 4,      // of a property, at most
     BL_SCORE_VARIANTS = 4     // instruction sets, at most
 };
-
-typedef enum bl_score_verdict {
-    BL_SCORE_PASS,
-    BL_SCORE_FAIL,
-    BL_SCORE_INCONCLUSIVE,
-    BL_SCORE_NOT_RUN // there is nothing to measure: the reason says why
-} bl_score_verdict;
 
 typedef enum bl_score_against { BL_AGAINST_CLAIM, BL_AGAINST_IDEAL } bl_score_against;
 
@@ -47,12 +41,12 @@ typedef struct bl_score_number {
 // One of several claims that a property judges: the bound, the mean and the variance of the range.
 typedef struct bl_score_claim {
     const char *name; // a constant: "variance"
-    bl_score_verdict verdict;
+    bl_verdict verdict;
     char reason[200];
 } bl_score_claim;
 
 typedef struct bl_score_property {
-    bl_score_verdict verdict;
+    bl_verdict verdict;
     bl_score_against against;
     char cell[24];    // the entry of the table: "C1", "-31.2 dB"
     char reason[320]; // one sentence: what was found, and against what it was judged
@@ -85,7 +79,7 @@ typedef struct bl_property {
     const char *title;    // the column of the table: "isotropy"
     const char *entry;    // what stands in that column: "the shortest repeat, in units"
     const char *question; // what it asks, in one sentence
-    // Fills the result, which comes zeroed with verdict BL_SCORE_NOT_RUN. Errors only where nothing
+    // Fills the result, which comes zeroed with verdict BL_VERDICT_NOT_RUN. Errors only where nothing
     // could be measured at all (BL_DEVICE out of memory); a signal that cannot be judged is "not
     // run" with its reason.
     bl_status (*measure)(const bl_score_subject *subject, const bl_score_settings *settings,
@@ -125,20 +119,15 @@ void bl_score_add_seen(bl_score_property *result, const char *name, double value
 const bl_score_number *bl_score_find(const bl_score_property *result, const char *name);
 
 // Sets verdict, against and the reason by printf.
-void bl_score_judge(bl_score_property *result, bl_score_verdict verdict, bl_score_against against,
+void bl_score_judge(bl_score_property *result, bl_verdict verdict, bl_score_against against,
                     const char *format, ...) __attribute__((format(printf, 4, 5)));
 
 // Adds one of several claims; the name is a constant. Dropped beyond BL_SCORE_CLAIMS (asserts).
-void bl_score_add_claim(bl_score_property *result, const char *name, bl_score_verdict verdict,
+void bl_score_add_claim(bl_score_property *result, const char *name, bl_verdict verdict,
                         const char *format, ...) __attribute__((format(printf, 4, 5)));
-// The verdict of several claims or properties together: fail before inconclusive before pass before
-// not run.
-bl_score_verdict bl_score_worse(bl_score_verdict a, bl_score_verdict b);
-
-const char *bl_score_word(bl_score_verdict verdict);         // "pass", ..., "not-run"
 const char *bl_score_against_word(bl_score_against against); // "claim", "ideal"
 // The verdict of a table: fail if a claim fails (or, if `strict`, the ideal), else inconclusive if
-// one is, else pass; as the exit status.
-bl_status bl_score_status(const bl_score *scores, size_t count, int strict);
+// one is, else pass.
+bl_verdict bl_score_verdict(const bl_score *scores, size_t count, int strict);
 
 #endif

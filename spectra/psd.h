@@ -22,6 +22,7 @@
 
 #include "core/signal.h"
 #include "core/statistics.h"
+#include "core/verdict.h"
 #include "spectra/window.h"
 
 typedef enum bl_place {
@@ -121,7 +122,7 @@ typedef struct bl_band_limit {
     double leak_db, lower_db, upper_db; // share outside [from, to], dB of the variance
     size_t needed_averages;             // that would settle an inconclusive verdict; else 0, as
                                         // where the averages are alike
-    bl_status verdict;                  // BL_OK, BL_INCONCLUSIVE or BL_FAIL
+    bl_verdict verdict;
 } bl_band_limit;
 
 // One-sided limits each at the level of the settings, or that miss with the probability `missed`,

@@ -161,11 +161,11 @@ void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit) {
     limit->needed_averages = 0;
     double allowed = pow(10, limit->limit_db / 10);
     if (leak.upper <= allowed) {
-        limit->verdict = BL_OK;
+        limit->verdict = BL_VERDICT_PASS;
     } else if (leak.lower > allowed) {
-        limit->verdict = BL_FAIL;
+        limit->verdict = BL_VERDICT_FAIL;
     } else {
-        limit->verdict = BL_INCONCLUSIVE;
+        limit->verdict = BL_VERDICT_INCONCLUSIVE;
         if (psd->alike > 0)
             return; // more of the same tells no more
         // The interval narrows with the root of the averages; it must not reach the limit.

@@ -32,20 +32,20 @@ enum { ROWS = 4 };
 typedef struct made_up {
     double ns[ROWS], error[ROWS], half; // half widths of the errors
     double tolerance;
-    bl_status verdict;
+    bl_verdict verdict;
     size_t chosen, cheaper;
 } made_up;
 
 static void test_the_cheapest_within_the_tolerance_is_chosen(void **state) {
     (void)state;
     static const made_up cases[] = {
-        {{10, 20, 30, 40}, {8, 4, 2, 1}, 0, 2, BL_OK, 2, 1},        // the limit itself is within
-        {{10, 20, 30, 40}, {8, 4, 2, 1}, 0, 9, BL_OK, 0, SIZE_MAX}, // nothing is cheaper
-        {{40, 10, 30, 20}, {1, 8, 2, 1.5}, 0, 2, BL_OK, 3, 1},      // by time, not by order
-        {{10, 20, 30, 40}, {8, 4, 2, 1}, 0.5, 2, BL_OK, 3, 2},      // 2 is not surely within
-        {{10, 20, 30, 40}, {8, 4, 2, 1}, 0.5, 0.9, BL_INCONCLUSIVE, 3, 2},
-        {{10, 20, 30, 40}, {8, 4, 2, 1}, 0.5, 0.4, BL_FAIL, 3, 2},
-        {{40, 30, 20, 10}, {8, 4, 2, 1}, 0, 0.1, BL_FAIL, 3, SIZE_MAX},
+        {{10, 20, 30, 40}, {8, 4, 2, 1}, 0, 2, BL_VERDICT_PASS, 2, 1}, // the limit itself is within
+        {{10, 20, 30, 40}, {8, 4, 2, 1}, 0, 9, BL_VERDICT_PASS, 0, SIZE_MAX}, // nothing is cheaper
+        {{40, 10, 30, 20}, {1, 8, 2, 1.5}, 0, 2, BL_VERDICT_PASS, 3, 1}, // by time, not by order
+        {{10, 20, 30, 40}, {8, 4, 2, 1}, 0.5, 2, BL_VERDICT_PASS, 3, 2}, // 2 is not surely within
+        {{10, 20, 30, 40}, {8, 4, 2, 1}, 0.5, 0.9, BL_VERDICT_INCONCLUSIVE, 3, 2},
+        {{10, 20, 30, 40}, {8, 4, 2, 1}, 0.5, 0.4, BL_VERDICT_FAIL, 3, 2},
+        {{40, 30, 20, 10}, {8, 4, 2, 1}, 0, 0.1, BL_VERDICT_FAIL, 3, SIZE_MAX},
     };
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         bl_alias_row rows[ROWS] = {{0}};
@@ -161,7 +161,7 @@ static void test_the_advice_keeps_its_word(void **state) {
     for (int largest = 0; largest < 2; largest++) {
         const bl_advise_settings settings = quick(largest ? 0.3 : 0.04, largest);
         bl_advice advice = advise(brick, &view, &settings);
-        assert_int_equal(advice.verdict, BL_OK);
+        assert_int_equal(advice.verdict, BL_VERDICT_PASS);
         assert_true(advice.error[advice.chosen].upper <= settings.tolerance);
         for (size_t i = 0; i < advice.alias.count; i++) {
             const bl_alias_row *row = &advice.alias.rows[i];
@@ -181,7 +181,7 @@ static void test_no_way_is_good_enough_for_a_tiny_tolerance(void **state) {
     bl_view view = open_view("flat:scale=0.9,rotate=20", 24);
     const bl_advise_settings settings = quick(1e-9, 0);
     bl_advice advice = advise(brick, &view, &settings);
-    assert_int_not_equal(advice.verdict, BL_OK);
+    assert_int_not_equal(advice.verdict, BL_VERDICT_PASS);
     for (size_t i = 0; i < advice.alias.count; i++)
         assert_true(advice.error[i].value >= advice.error[advice.chosen].value);
     bl_advice_free(&advice);

@@ -150,12 +150,12 @@ static void test_a_band_limit_passes_fails_or_is_open(void **state) {
     bl_psd psd = measure_cosine(1.03, 8);
     bl_band_limit limit = {.from = 0, .to = 2, .limit_db = -60};
     bl_psd_band_limit(&psd, &limit);
-    assert_int_equal(limit.verdict, BL_OK);
+    assert_int_equal(limit.verdict, BL_VERDICT_PASS);
     assert_true(limit.leak_db < -80 && limit.needed_averages == 0);
     assert_true(limit.lower_db <= limit.leak_db && limit.leak_db <= limit.upper_db);
     limit = (bl_band_limit){.from = 0, .to = 0.5, .limit_db = -30};
     bl_psd_band_limit(&psd, &limit);
-    assert_int_equal(limit.verdict, BL_FAIL);
+    assert_int_equal(limit.verdict, BL_VERDICT_FAIL);
     assert_near(limit.leak_db, 0, 1e-3);
     bl_psd_free(&psd);
 
@@ -163,14 +163,14 @@ static void test_a_band_limit_passes_fails_or_is_open(void **state) {
     psd = measure_white(1, 128, 16, 3);
     limit = (bl_band_limit){.from = 0, .to = 2, .limit_db = 10 * log10(0.505)};
     bl_psd_band_limit(&psd, &limit);
-    assert_int_equal(limit.verdict, BL_INCONCLUSIVE);
+    assert_int_equal(limit.verdict, BL_VERDICT_INCONCLUSIVE);
     assert_true(limit.needed_averages > 16);
     limit.limit_db = 10 * log10(0.6);
     bl_psd_band_limit(&psd, &limit);
-    assert_int_equal(limit.verdict, BL_OK);
+    assert_int_equal(limit.verdict, BL_VERDICT_PASS);
     limit.limit_db = 10 * log10(0.4);
     bl_psd_band_limit(&psd, &limit);
-    assert_int_equal(limit.verdict, BL_FAIL);
+    assert_int_equal(limit.verdict, BL_VERDICT_FAIL);
     bl_psd_free(&psd);
 }
 
@@ -184,10 +184,10 @@ static void test_the_needed_averages_settle_it(void **state) {
         bl_psd psd = measure_white(1, 128, 8, r);
         bl_band_limit limit = {.from = 0, .to = 2, .limit_db = 10 * log10(0.53)};
         bl_psd_band_limit(&psd, &limit);
-        if (limit.verdict == BL_INCONCLUSIVE && limit.needed_averages < 2000) {
+        if (limit.verdict == BL_VERDICT_INCONCLUSIVE && limit.needed_averages < 2000) {
             bl_psd again = measure_white(1, 128, 2 * limit.needed_averages, 1000 + r);
             bl_psd_band_limit(&again, &limit);
-            settled += limit.verdict == BL_OK;
+            settled += limit.verdict == BL_VERDICT_PASS;
             asked++;
             bl_psd_free(&again);
         }
@@ -228,7 +228,7 @@ static void test_no_leak_is_minus_infinity_decibel(void **state) {
     bl_band_limit limit = {.from = 0, .to = INFINITY, .limit_db = -90};
     bl_psd_band_limit(&psd, &limit);
     assert_true(limit.leak_db == -INFINITY && limit.upper_db == -INFINITY);
-    assert_int_equal(limit.verdict, BL_OK);
+    assert_int_equal(limit.verdict, BL_VERDICT_PASS);
     bl_psd_free(&psd);
     bl_signal *constant = bl_test_constant(3);
     for (size_t averages = 1; averages < 9; averages += 7) {
@@ -238,7 +238,7 @@ static void test_no_leak_is_minus_infinity_decibel(void **state) {
         assert_int_equal(bl_psd_measure(constant, &settings, &psd, NULL), BL_OK);
         limit.to = 1;
         bl_psd_band_limit(&psd, &limit);
-        assert_true(limit.leak_db == -INFINITY && limit.verdict == BL_OK);
+        assert_true(limit.leak_db == -INFINITY && limit.verdict == BL_VERDICT_PASS);
         assert_true(share_of(&psd, 0, 1) == 0);
         bl_psd_free(&psd);
     }
@@ -251,11 +251,11 @@ static void test_the_guard_forgives_the_main_lobe(void **state) {
     bl_psd psd = measure_cosine(0.99, 8);
     bl_band_limit limit = {.from = 0, .to = 1, .limit_db = -60};
     bl_psd_band_limit(&psd, &limit);
-    assert_int_equal(limit.verdict, BL_FAIL);
+    assert_int_equal(limit.verdict, BL_VERDICT_FAIL);
     limit.guard = bl_psd_guard(&psd);
     assert_near(limit.guard, 4 * 16.0 / 256, 1e-12);
     bl_psd_band_limit(&psd, &limit);
-    assert_int_equal(limit.verdict, BL_OK);
+    assert_int_equal(limit.verdict, BL_VERDICT_PASS);
     bl_psd_free(&psd);
 }
 

@@ -3,14 +3,14 @@
 
 #include "reports/claim.h"
 
-static bl_verdict judge(const char *source, double lower, double upper, double from, double to) {
+static bl_outcome judge(const char *source, double lower, double upper, double from, double to) {
     bl_claim claim = {.sentence = "",
                       .source = source,
                       .expected_lower = lower,
                       .expected_upper = upper,
                       .measured = {(from + to) / 2, from, to, 0.95, 10}};
     bl_claim_judge(&claim);
-    return claim.verdict;
+    return bl_claim_outcome(&claim);
 }
 
 static void test_a_claim_holds_when_its_interval_lies_within_the_expectation(void **state) {
@@ -41,11 +41,11 @@ static void test_a_claim_without_a_number_was_not_run(void **state) {
     assert_int_equal(judge("bandlimit", 0, 1, 0.1, NAN), BL_NOT_RUN);
 }
 
-static void test_every_verdict_has_a_word_of_its_own(void **state) {
+static void test_every_outcome_has_a_word_of_its_own(void **state) {
     (void)state;
     for (int a = 0; a <= BL_NOT_RUN; a++)
         for (int b = 0; b < a; b++)
-            assert_string_not_equal(bl_verdict_word((bl_verdict)a), bl_verdict_word((bl_verdict)b));
+            assert_string_not_equal(bl_outcome_word((bl_outcome)a), bl_outcome_word((bl_outcome)b));
 }
 
 int main(void) {
@@ -54,7 +54,7 @@ int main(void) {
         cmocka_unit_test(test_a_claim_is_undecided_when_its_interval_straddles_a_limit),
         cmocka_unit_test(test_a_false_claim_of_a_paper_is_refuted_and_one_of_ours_is_broken),
         cmocka_unit_test(test_a_claim_without_a_number_was_not_run),
-        cmocka_unit_test(test_every_verdict_has_a_word_of_its_own),
+        cmocka_unit_test(test_every_outcome_has_a_word_of_its_own),
     };
     return bl_run_tests(tests);
 }

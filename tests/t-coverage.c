@@ -178,7 +178,7 @@ static void test_rows_that_are_all_alike_count_as_one(void **state) {
         bl_band_limit limit = {.from = 0, .to = 0.25, .limit_db = 10 * log10(0.5)};
         bl_psd_band_limit(&psd, &limit);
         assert_true(limit.upper_db - limit.lower_db > 1);
-        assert_true(limit.verdict != BL_INCONCLUSIVE || limit.needed_averages == 0);
+        assert_true(limit.verdict != BL_VERDICT_INCONCLUSIVE || limit.needed_averages == 0);
         bl_psd_free(&psd);
         bl_signal_free(image);
     }

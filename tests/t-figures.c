@@ -158,19 +158,19 @@ static void test_no_claim_of_our_own_is_broken(void **state) {
             const bl_claim *claim = &figure->claims[i];
             const bl_estimate *m = &claim->measured;
             assert_true(claim->sentence[0] && claim->source[0] && claim->reading[0]);
-            if (claim->verdict == BL_BROKEN || claim->verdict == BL_NOT_RUN)
+            if (bl_claim_outcome(claim) == BL_BROKEN || claim->verdict == BL_VERDICT_NOT_RUN)
                 fail_msg("%s: %s (%s): %s, measured %g in [%g, %g], expected %g to %g",
                          figure->figure->name, claim->sentence, claim->reading,
-                         bl_verdict_word(claim->verdict), m->value, m->lower, m->upper,
+                         bl_outcome_word(bl_claim_outcome(claim)), m->value, m->lower, m->upper,
                          claim->expected_lower, claim->expected_upper);
             assert_true(m->lower <= m->value && m->value <= m->upper);
             assert_true(m->samples >= 1);
         }
         for (int v = 0; v <= BL_NOT_RUN; v++)
-            total += figure->verdicts[v];
+            total += figure->outcomes[v];
         assert_int_equal(total, figure->claim_count);
     }
-    assert_int_not_equal(first_run.verdict, BL_FAIL);
+    assert_int_not_equal(first_run.verdict, BL_VERDICT_FAIL);
 }
 
 static void test_json_agrees_with_the_result(void **state) {
@@ -197,7 +197,7 @@ static void test_json_agrees_with_the_result(void **state) {
         for (size_t i = 0; i < figure->claim_count; i++) {
             json_t *claim = json_array_get(claims, i);
             assert_string_equal(json_string_value(json_object_get(claim, "verdict")),
-                                bl_verdict_word(figure->claims[i].verdict));
+                                bl_outcome_word(bl_claim_outcome(&figure->claims[i])));
             assert_int_equal(json_array_size(json_object_get(claim, "interval")), 2);
             int estimated = figure->claims[i].measured.level > 0; // else there is no interval
             assert_int_equal(json_is_null(json_object_get(claim, "level")), !estimated);

@@ -51,7 +51,7 @@ static char *write_example(const char *name) {
                                .claims = claims,
                                .claim_count = 5};
     for (int i = 0; i < 5; i++)
-        result.verdicts[claims[i].verdict]++;
+        result.outcomes[bl_claim_outcome(&claims[i])]++;
     const bl_run_view view = {.result = &result,
                               .settings = settings_notes,
                               .setting_count = 1,

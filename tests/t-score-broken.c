@@ -72,11 +72,11 @@ static void test_each_broken_noise_is_found_by_its_property(void **state) {
             continue;
         bl_signal *signal = bl_broken_signal(which);
         bl_score_property found = quick(signal, name);
-        if (found.verdict != BL_SCORE_FAIL)
+        if (found.verdict != BL_VERDICT_FAIL)
             found = measure(signal, name, BL_NORMAL, 1, 1e-6, 0);
-        if (found.verdict != BL_SCORE_FAIL)
+        if (found.verdict != BL_VERDICT_FAIL)
             fail_msg("%s: %s says %s: %s", bl_broken_name(which), name,
-                     bl_score_word(found.verdict), found.reason);
+                     bl_verdict_word(found.verdict), found.reason);
         bl_signal_free(signal);
     }
 }
@@ -93,8 +93,9 @@ static void test_a_broken_noise_is_found_by_no_other_property(void **state) {
                 !takes(i, which))
                 continue;
             bl_score_property found = quick(signal, names[i]);
-            if (found.verdict == BL_SCORE_FAIL && (found.against == BL_AGAINST_CLAIM ||
-                                                   quick(inner, names[i]).verdict != BL_SCORE_FAIL))
+            if (found.verdict == BL_VERDICT_FAIL &&
+                (found.against == BL_AGAINST_CLAIM ||
+                 quick(inner, names[i]).verdict != BL_VERDICT_FAIL))
                 fail_msg("%s: %s fails: %s", bl_broken_name(which), names[i], found.reason);
         }
         bl_signal_free(inner);
@@ -110,7 +111,7 @@ static void check_claims(const char *text, int index) {
         if (!takes(i, index))
             continue;
         bl_score_property found = quick(signal, names[i]);
-        if (found.verdict == BL_SCORE_FAIL && found.against == BL_AGAINST_CLAIM)
+        if (found.verdict == BL_VERDICT_FAIL && found.against == BL_AGAINST_CLAIM)
             fail_msg("%s: %s: %s", text, names[i], found.reason);
         for (size_t k = 0; k < found.count; k++) {
             const bl_estimate *e = &found.numbers[k].estimate;
@@ -168,7 +169,7 @@ static void test_a_cross_in_the_tail_is_found(void **state) {
     bl_signal *cross = bl_test_open("vnoise:interp=bspline3", BL_ISA_BEST),
               *round = bl_test_open("scnoise", BL_ISA_BEST);
     bl_score_property found = quick(cross, "isotropy");
-    assert_int_equal(found.verdict, BL_SCORE_FAIL);
+    assert_int_equal(found.verdict, BL_VERDICT_FAIL);
     assert_non_null(strstr(found.reason, "above 1 cycle a cell"));
     assert_true(bl_score_find(&found, "tail_axes_to_diagonals_db")->estimate.lower > 10);
     found = quick(round, "isotropy");
@@ -231,7 +232,7 @@ static void check_rate(const char *text, const char *name, unsigned trials) {
         bl_score_property found =
             measure(signal, name, BL_QUICK, 500 + trial, alpha * (double)bl_property_count(), 0);
         const bl_score_number *line = bl_score_find(&found, "line_to_limit_db");
-        failures += found.verdict == BL_SCORE_FAIL || (line && line->estimate.value > 0);
+        failures += found.verdict == BL_VERDICT_FAIL || (line && line->estimate.value > 0);
         bl_signal_free(signal);
     }
     if (failures > limit)
@@ -271,7 +272,7 @@ static void test_the_limit_of_deviates_is_students(void **state) {
         if (!(tests >= 10 && tests <= 1000))
             fail_msg("%s: a limit of %g is that of %g tests", texts[i], limit, tests);
         assert_near(tests, round(tests), 1e-4 * tests);
-        assert_true((found.verdict == BL_SCORE_FAIL) ==
+        assert_true((found.verdict == BL_VERDICT_FAIL) ==
                     (fabs(number_of(&found, "largest_deviate")) > limit));
         bl_signal_free(signal);
     }
@@ -353,8 +354,8 @@ static void test_the_smallest_kink_that_counts_is_found(void **state) {
 static void check_not_run(bl_signal *signal) {
     for (int i = 0; i < COUNT; i++) {
         bl_score_property found = quick(signal, names[i]);
-        if (found.verdict != BL_SCORE_NOT_RUN || !*found.reason)
-            fail_msg("%s: %s says %s", signal->text, names[i], bl_score_word(found.verdict));
+        if (found.verdict != BL_VERDICT_NOT_RUN || !*found.reason)
+            fail_msg("%s: %s says %s", signal->text, names[i], bl_verdict_word(found.verdict));
     }
     bl_signal_free(signal);
 }
@@ -396,7 +397,7 @@ static void fenced_row(const void *parameters, const double start[BL_AXES],
 static const bl_signal_functions fenced_functions = {
     .row = fenced_row, .points = fenced_points, .value = fenced_value};
 
-static void check_fence(const bl_signal *inner, double fence, bl_score_verdict verdict,
+static void check_fence(const bl_signal *inner, double fence, bl_verdict verdict,
                         const char *reach) {
     bl_signal *signal =
         bl_signal_new(&fenced_functions, &(fenced){inner, fence}, sizeof(fenced), "fenced");
@@ -406,7 +407,7 @@ static void check_fence(const bl_signal *inner, double fence, bl_score_verdict v
     bl_score_property found = quick(signal, "far");
     if (found.verdict != verdict || strcmp(found.cell, reach) != 0 || !strstr(found.reason, reach))
         fail_msg("fence at %g: %s, reach %s, '%s'; expected %s", fence,
-                 bl_score_word(found.verdict), found.cell, found.reason, reach);
+                 bl_verdict_word(found.verdict), found.cell, found.reason, reach);
     bl_signal_free(signal);
 }
 
@@ -414,10 +415,10 @@ static void check_fence(const bl_signal *inner, double fence, bl_score_verdict v
 static void test_the_reach_ends_where_numbers_end(void **state) {
     (void)state;
     bl_signal *inner = bl_test_open("gnoise", BL_ISA_BEST);
-    check_fence(inner, 1e9, BL_SCORE_PASS, "1e+08");
-    check_fence(inner, 5e7, BL_SCORE_PASS, "1e+07");
-    check_fence(inner, 2e4, BL_SCORE_FAIL, "1e+04");
-    check_fence(inner, INFINITY, BL_SCORE_PASS, "1e+15");
+    check_fence(inner, 1e9, BL_VERDICT_PASS, "1e+08");
+    check_fence(inner, 5e7, BL_VERDICT_PASS, "1e+07");
+    check_fence(inner, 2e4, BL_VERDICT_FAIL, "1e+04");
+    check_fence(inner, INFINITY, BL_VERDICT_PASS, "1e+15");
     bl_signal_free(inner);
 }
 
@@ -426,11 +427,11 @@ static void test_strange_signals_are_judged(void **state) {
     (void)state;
     bl_signal *white = bl_test_white(1), *cosine = bl_test_cosine(0, 1, (double[]){0.37, 0, 0});
     bl_score_property found = quick(white, "continuity");
-    assert_int_equal(found.verdict, BL_SCORE_FAIL);
-    assert_int_equal(quick(white, "period").verdict, BL_SCORE_PASS);
-    assert_int_equal(quick(cosine, "period").verdict, BL_SCORE_FAIL);
-    assert_int_equal(quick(cosine, "continuity").verdict, BL_SCORE_PASS);
-    assert_int_equal(quick(cosine, "isotropy").verdict, BL_SCORE_FAIL);
+    assert_int_equal(found.verdict, BL_VERDICT_FAIL);
+    assert_int_equal(quick(white, "period").verdict, BL_VERDICT_PASS);
+    assert_int_equal(quick(cosine, "period").verdict, BL_VERDICT_FAIL);
+    assert_int_equal(quick(cosine, "continuity").verdict, BL_VERDICT_PASS);
+    assert_int_equal(quick(cosine, "isotropy").verdict, BL_VERDICT_FAIL);
     bl_signal_free(white);
     bl_signal_free(cosine);
 }

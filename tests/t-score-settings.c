@@ -43,12 +43,12 @@ static unsigned check(const char *text, const char *name) {
         fail_msg("%s of %s: %s", name, text, message.text);
     const bl_score_property *found = &score.properties[index];
     for (size_t k = 0; k < found->claim_count; k++)
-        if (found->claims[k].verdict == BL_SCORE_FAIL) {
+        if (found->claims[k].verdict == BL_VERDICT_FAIL) {
             print_error("%s: %s of %s: %s\n", text, found->claims[k].name, name,
                         found->claims[k].reason);
             failures++;
         }
-    if (found->claim_count == 0 && found->verdict == BL_SCORE_FAIL &&
+    if (found->claim_count == 0 && found->verdict == BL_VERDICT_FAIL &&
         found->against == BL_AGAINST_CLAIM) {
         print_error("%s: %s: %s\n", text, name, found->reason);
         failures++;

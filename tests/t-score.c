@@ -33,7 +33,7 @@ static bl_score_settings quick(double alpha) {
 
 static bl_score_property measure_subject(const char *name, const bl_score_subject *subject,
                                          const bl_score_settings *settings) {
-    bl_score_property result = {.verdict = BL_SCORE_NOT_RUN};
+    bl_score_property result = {.verdict = BL_VERDICT_NOT_RUN};
     bl_message message = {""};
     const bl_property *property = bl_property_find(name);
     assert_non_null(property);
@@ -47,11 +47,11 @@ static bl_score_property measure(const char *name, const bl_signal *signal) {
     return measure_subject(name, &(bl_score_subject){.signal = signal}, &settings);
 }
 
-static void expect(const bl_score_property *result, const char *what, bl_score_verdict verdict,
+static void expect(const bl_score_property *result, const char *what, bl_verdict verdict,
                    const char *says) {
     if (result->verdict != verdict || !strstr(result->reason, says))
-        fail_msg("%s: %s, '%s'; expected %s and '%s'", what, bl_score_word(result->verdict),
-                 result->reason, bl_score_word(verdict), says);
+        fail_msg("%s: %s, '%s'; expected %s and '%s'", what, bl_verdict_word(result->verdict),
+                 result->reason, bl_verdict_word(verdict), says);
 }
 
 // --- the contract ---
@@ -79,22 +79,22 @@ static void test_every_property_has_a_name_and_fills_its_result(void **state) {
     assert_null(bl_property_at(bl_property_count()));
     assert_int_equal(bl_score_measure(&subject, &settings, 0, &score, &message), BL_OK);
     assert_string_equal(score.properties[0].reason, BL_SCORE_NOT_ASKED);
-    assert_int_equal(bl_score_status(&score, 1, 1), BL_OK);
+    assert_int_equal(bl_score_verdict(&score, 1, 1), BL_VERDICT_PASS);
     bl_signal_free(signal);
 }
 
 static void test_the_status_counts_claims_and_with_strict_the_ideal(void **state) {
     (void)state;
     bl_score score = {0};
-    score.properties[0].verdict = BL_SCORE_FAIL;
+    score.properties[0].verdict = BL_VERDICT_FAIL;
     score.properties[0].against = BL_AGAINST_IDEAL;
-    assert_int_equal(bl_score_status(&score, 1, 0), BL_OK);
-    assert_int_equal(bl_score_status(&score, 1, 1), BL_FAIL);
-    score.properties[1].verdict = BL_SCORE_INCONCLUSIVE;
+    assert_int_equal(bl_score_verdict(&score, 1, 0), BL_VERDICT_PASS);
+    assert_int_equal(bl_score_verdict(&score, 1, 1), BL_VERDICT_FAIL);
+    score.properties[1].verdict = BL_VERDICT_INCONCLUSIVE;
     score.properties[1].against = BL_AGAINST_CLAIM;
-    assert_int_equal(bl_score_status(&score, 1, 0), BL_INCONCLUSIVE);
-    assert_int_equal(bl_score_worse(BL_SCORE_NOT_RUN, BL_SCORE_PASS), BL_SCORE_PASS);
-    assert_int_equal(bl_score_worse(BL_SCORE_FAIL, BL_SCORE_INCONCLUSIVE), BL_SCORE_FAIL);
+    assert_int_equal(bl_score_verdict(&score, 1, 0), BL_VERDICT_INCONCLUSIVE);
+    assert_int_equal(bl_verdict_worse(BL_VERDICT_NOT_RUN, BL_VERDICT_PASS), BL_VERDICT_PASS);
+    assert_int_equal(bl_verdict_worse(BL_VERDICT_FAIL, BL_VERDICT_INCONCLUSIVE), BL_VERDICT_FAIL);
 }
 
 static void test_scores_do_not_depend_on_the_threads(void **state) {
@@ -127,7 +127,7 @@ static void test_noises_keep_their_claims(void **state) {
         bl_signal *signal = open_noise(bl_noise_at(n, BL_ISA_BEST)->name);
         for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
             bl_score_property result = measure(names[i], signal);
-            if (result.verdict == BL_SCORE_FAIL && result.against == BL_AGAINST_CLAIM)
+            if (result.verdict == BL_VERDICT_FAIL && result.against == BL_AGAINST_CLAIM)
                 fail_msg("%s of %s: %s", names[i], signal->text, result.reason);
         }
         bl_signal_free(signal);
@@ -157,7 +157,7 @@ static void test_cost_is_told_and_not_judged(void **state) {
     (void)state;
     bl_signal *signal = open_noise("gnoise");
     bl_score_property result = measure("cost", signal);
-    assert_int_equal(result.verdict, BL_SCORE_NOT_RUN);
+    assert_int_equal(result.verdict, BL_VERDICT_NOT_RUN);
     assert_true(bl_score_find(&result, "row_ns")->estimate.value > 0);
     assert_true(bl_score_find(&result, "points_ns")->estimate.value > 0);
     for (int i = 0; i < 2; i++) { // six minima that the clock told apart are never all equal
@@ -227,14 +227,14 @@ static void test_what_cannot_be_repeated_is_caught(void **state) {
     (void)state;
     static const struct {
         fault fault;
-        bl_score_verdict verdict;
+        bl_verdict verdict;
         const char *says;
-    } faults[] = {{SOUND, BL_SCORE_PASS, "the same bits"},
-                  {CALL_ORDER, BL_SCORE_FAIL, "then"},
-                  {BATCH, BL_SCORE_FAIL, "backwards"},
-                  {THREAD, BL_SCORE_FAIL, "several threads"},
-                  {ROWS, BL_SCORE_FAIL, "a row and the same places as points"},
-                  {REFERENCE, BL_SCORE_FAIL, "double reference"}};
+    } faults[] = {{SOUND, BL_VERDICT_PASS, "the same bits"},
+                  {CALL_ORDER, BL_VERDICT_FAIL, "then"},
+                  {BATCH, BL_VERDICT_FAIL, "backwards"},
+                  {THREAD, BL_VERDICT_FAIL, "several threads"},
+                  {ROWS, BL_VERDICT_FAIL, "a row and the same places as points"},
+                  {REFERENCE, BL_VERDICT_FAIL, "double reference"}};
     bl_signal *noise = open_noise("gnoise");
     size_t count = sizeof faults / sizeof *faults;
     for (size_t k = 0; k < 2 * count; k++) {
@@ -259,65 +259,65 @@ static void test_another_instruction_set_with_other_bits_is_caught(void **state)
     bl_score_subject subject = {
         .signal = noise, .variants = {same}, .variant_names = {"twin"}, .variant_count = 1};
     bl_score_property result = measure_subject("repeatable", &subject, &settings);
-    expect(&result, "the same", BL_SCORE_PASS, "2 instruction sets");
+    expect(&result, "the same", BL_VERDICT_PASS, "2 instruction sets");
     subject.variants[0] = other;
     result = measure_subject("repeatable", &subject, &settings);
-    expect(&result, "another", BL_SCORE_FAIL, "instruction set twin");
+    expect(&result, "another", BL_VERDICT_FAIL, "instruction set twin");
     bl_signal_free(noise), bl_signal_free(same), bl_signal_free(other);
 }
 
 // The verdict of one of the claims of a property.
-static bl_score_verdict claim_of(const bl_score_property *result, const char *name) {
+static bl_verdict claim_of(const bl_score_property *result, const char *name) {
     for (size_t i = 0; i < result->claim_count; i++)
         if (strcmp(result->claims[i].name, name) == 0)
             return result->claims[i].verdict;
     fail_msg("no claim '%s'", name);
-    return BL_SCORE_NOT_RUN;
+    return BL_VERDICT_NOT_RUN;
 }
 
 static void test_a_wrong_range_mean_and_variance_are_caught(void **state) {
     (void)state;
     bl_signal *noise = open_noise("gnoise"), *signal = make_faulty(noise, SOUND, 0);
     bl_score_property result = measure("range", signal);
-    assert_int_equal(result.verdict, BL_SCORE_PASS);
+    assert_int_equal(result.verdict, BL_VERDICT_PASS);
     // Between what samples show and what climbing finds.
     double samples = bl_score_find(&result, "maximum_of_samples")->estimate.value;
     double climbed = bl_score_find(&result, "maximum")->estimate.value;
     signal->facts.upper = 0.5 * (samples + climbed);
     result = measure("range", signal);
-    assert_int_equal(claim_of(&result, "range"), BL_SCORE_FAIL);
-    assert_int_equal(claim_of(&result, "mean"), BL_SCORE_PASS);
-    assert_int_equal(result.verdict, BL_SCORE_FAIL);
+    assert_int_equal(claim_of(&result, "range"), BL_VERDICT_FAIL);
+    assert_int_equal(claim_of(&result, "mean"), BL_VERDICT_PASS);
+    assert_int_equal(result.verdict, BL_VERDICT_FAIL);
     samples = bl_score_find(&result, "minimum_of_samples")->estimate.value;
     climbed = bl_score_find(&result, "minimum")->estimate.value;
     signal->facts = noise->facts;
     signal->facts.lower = 0.5 * (samples + climbed);
     result = measure("range", signal);
-    assert_int_equal(claim_of(&result, "range"), BL_SCORE_FAIL);
+    assert_int_equal(claim_of(&result, "range"), BL_VERDICT_FAIL);
     signal->facts = noise->facts;
     signal->facts.mean = 0.05 * sqrt(noise->facts.variance);
     result = measure("range", signal);
-    assert_int_equal(claim_of(&result, "mean"), BL_SCORE_FAIL);
-    assert_int_equal(claim_of(&result, "range"), BL_SCORE_PASS);
+    assert_int_equal(claim_of(&result, "mean"), BL_VERDICT_FAIL);
+    assert_int_equal(claim_of(&result, "range"), BL_VERDICT_PASS);
     signal->facts = noise->facts;
     signal->facts.variance *= 1.1;
     result = measure("range", signal);
-    assert_int_equal(claim_of(&result, "variance"), BL_SCORE_FAIL);
-    assert_int_equal(claim_of(&result, "mean"), BL_SCORE_PASS);
+    assert_int_equal(claim_of(&result, "variance"), BL_VERDICT_FAIL);
+    assert_int_equal(claim_of(&result, "mean"), BL_VERDICT_PASS);
     // Without a claim, against the ideal: gnoise keeps to [-1, 1], normal numbers do not.
     signal->facts = bl_facts_unknown();
     result = measure("range", signal);
     assert_int_equal(result.against, BL_AGAINST_IDEAL);
-    expect(&result, "gnoise", BL_SCORE_PASS, "no range is stated");
+    expect(&result, "gnoise", BL_VERDICT_PASS, "no range is stated");
     bl_signal_free(signal), bl_signal_free(noise);
     signal = bl_test_white(1);
     signal->facts = bl_facts_unknown();
     result = measure("range", signal);
-    expect(&result, "white", BL_SCORE_FAIL, "no range is stated");
+    expect(&result, "white", BL_VERDICT_FAIL, "no range is stated");
     bl_signal_free(signal);
     signal = bl_test_broken();
     result = measure("range", signal);
-    expect(&result, "not finite", BL_SCORE_FAIL, "not finite");
+    expect(&result, "not finite", BL_VERDICT_FAIL, "not finite");
     assert_int_equal(result.against, BL_AGAINST_CLAIM); // of being a signal
     bl_signal_free(signal);
 }
@@ -328,7 +328,7 @@ static void test_the_level_of_a_refuted_mean_is_told_by_what_it_misses(void **st
     bl_signal *noise = open_noise("gnoise");
     noise->facts.mean = 0.1;
     bl_score_property result = measure("range", noise);
-    expect(&result, "mean", BL_SCORE_FAIL, "at the level 1 - 5e-10");
+    expect(&result, "mean", BL_VERDICT_FAIL, "at the level 1 - 5e-10");
     bl_signal_free(noise);
 }
 
@@ -342,23 +342,23 @@ static void test_a_share_of_alpha_below_the_digits_of_1_still_fails(void **state
                            of_image = {.signal = image};
     noise->facts.leak_db -= 20;
     bl_score_property result = measure_subject("band", &of_noise, &tiny);
-    expect(&result, "leak", BL_SCORE_FAIL, "the claim");
+    expect(&result, "leak", BL_VERDICT_FAIL, "the claim");
     noise->facts.mean = 0.3;
     result = measure_subject("range", &of_noise, &tiny);
-    assert_int_equal(claim_of(&result, "mean"), BL_SCORE_FAIL);
+    assert_int_equal(claim_of(&result, "mean"), BL_VERDICT_FAIL);
     noise->facts.mean = 0;
     noise->facts.variance *= 3;
     result = measure_subject("range", &of_noise, &tiny);
-    assert_int_equal(claim_of(&result, "mean"), BL_SCORE_PASS);
-    assert_int_equal(claim_of(&result, "variance"), BL_SCORE_FAIL);
+    assert_int_equal(claim_of(&result, "mean"), BL_VERDICT_PASS);
+    assert_int_equal(claim_of(&result, "variance"), BL_VERDICT_FAIL);
     result = measure_subject("far", &of_far, &tiny);
-    expect(&result, "far", BL_SCORE_FAIL, "the variance near 1e6");
+    expect(&result, "far", BL_VERDICT_FAIL, "the variance near 1e6");
     image->facts.mean = 1;
     result = measure_subject("range", &of_image, &tiny);
-    expect(&result, "image", BL_SCORE_FAIL, "is not the stated");
+    expect(&result, "image", BL_VERDICT_FAIL, "is not the stated");
     image->facts.mean = 0;
     result = measure_subject("range", &of_image, &tiny);
-    assert_int_not_equal(claim_of(&result, "mean"), BL_SCORE_FAIL);
+    assert_int_not_equal(claim_of(&result, "mean"), BL_VERDICT_FAIL);
     bl_signal_free(noise), bl_signal_free(far), bl_signal_free(image);
 }
 
@@ -367,11 +367,11 @@ static void test_the_ideal_range_ends_at_one(void **state) {
     (void)state;
     static const struct {
         double mean, amplitude;
-        bl_score_verdict verdict;
-    } cases[] = {{0, 1, BL_SCORE_PASS},
-                 {0, 1.01, BL_SCORE_FAIL},
-                 {0.5, 0.52, BL_SCORE_FAIL},
-                 {-0.5, 0.52, BL_SCORE_FAIL}};
+        bl_verdict verdict;
+    } cases[] = {{0, 1, BL_VERDICT_PASS},
+                 {0, 1.01, BL_VERDICT_FAIL},
+                 {0.5, 0.52, BL_VERDICT_FAIL},
+                 {-0.5, 0.52, BL_VERDICT_FAIL}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         bl_signal *cosine =
             bl_test_cosine(cases[i].mean, cases[i].amplitude, (const double[]){0.37, 0.2, 0.1});
@@ -421,9 +421,9 @@ static void test_what_is_known_too_coarsely_is_inconclusive(void **state) {
     signal->facts.mean = 0;
     signal->facts.variance = 1;
     bl_score_property result = measure("range", signal);
-    assert_int_equal(claim_of(&result, "mean"), BL_SCORE_PASS);
-    assert_int_equal(claim_of(&result, "variance"), BL_SCORE_INCONCLUSIVE);
-    assert_int_equal(result.verdict, BL_SCORE_INCONCLUSIVE);
+    assert_int_equal(claim_of(&result, "mean"), BL_VERDICT_PASS);
+    assert_int_equal(claim_of(&result, "variance"), BL_VERDICT_INCONCLUSIVE);
+    assert_int_equal(result.verdict, BL_VERDICT_INCONCLUSIVE);
     bl_signal_free(signal);
     bl_signal_free(r.white);
 }
@@ -449,14 +449,14 @@ static void test_a_claimed_leak_is_judged_by_its_limits(void **state) {
                               "x (%lf to %lf",
                               &value, &from, &to, &lower, &upper);
             assert_int_equal(read, 5);
-            bl_score_verdict verdict = lower > claim        ? BL_SCORE_FAIL
-                                       : upper <= claim + 1 ? BL_SCORE_PASS
-                                                            : BL_SCORE_INCONCLUSIVE;
+            bl_verdict verdict = lower > claim        ? BL_VERDICT_FAIL
+                                 : upper <= claim + 1 ? BL_VERDICT_PASS
+                                                      : BL_VERDICT_INCONCLUSIVE;
             expect(&result, "gnoise", verdict, "the claim");
             seen[verdict]++;
-            close += verdict == BL_SCORE_INCONCLUSIVE && upper <= claim + 4;
+            close += verdict == BL_VERDICT_INCONCLUSIVE && upper <= claim + 4;
         }
-    assert_true(seen[BL_SCORE_FAIL] && seen[BL_SCORE_PASS] && close);
+    assert_true(seen[BL_VERDICT_FAIL] && seen[BL_VERDICT_PASS] && close);
     bl_signal_free(noise);
 }
 
@@ -470,7 +470,7 @@ static void test_a_claimed_band_has_two_ends(void **state) {
         cosine->facts.band_to = 1;
         cosine->facts.leak_db = -20;
         bl_score_property result = measure("band", cosine);
-        expect(&result, "a cosine", i == 1 ? BL_SCORE_PASS : BL_SCORE_FAIL, "the claim");
+        expect(&result, "a cosine", i == 1 ? BL_VERDICT_PASS : BL_VERDICT_FAIL, "the claim");
         bl_signal_free(cosine);
     }
 }
@@ -492,18 +492,18 @@ static void test_a_band_claimed_too_strongly_is_caught(void **state) {
     for (size_t i = 0; i < sizeof noises / sizeof *noises; i++) {
         bl_signal *noise = open_noise(noises[i]);
         bl_score_property result = measure("band", noise);
-        expect(&result, noises[i], BL_SCORE_PASS, "the claim");
+        expect(&result, noises[i], BL_VERDICT_PASS, "the claim");
         noise->facts.leak_db -= 3;
         result = measure("band", noise);
-        expect(&result, noises[i], BL_SCORE_FAIL, "the claim");
+        expect(&result, noises[i], BL_VERDICT_FAIL, "the claim");
         bl_signal_free(noise);
     }
     bl_signal *white = bl_test_white(1), *constant = bl_test_constant(0.5);
     bl_score_property result = measure("band", white);
     assert_int_equal(result.against, BL_AGAINST_IDEAL);
-    expect(&result, "white", BL_SCORE_FAIL, "the ideal");
+    expect(&result, "white", BL_VERDICT_FAIL, "the ideal");
     result = measure("band", constant);
-    expect(&result, "constant", BL_SCORE_NOT_RUN, "constant");
+    expect(&result, "constant", BL_VERDICT_NOT_RUN, "constant");
     bl_signal_free(white), bl_signal_free(constant);
 }
 
@@ -523,23 +523,23 @@ static void test_a_band_without_a_number_for_its_leak_is_judged(void **state) {
     for (size_t i = 0; i < sizeof inside / sizeof *inside; i++) {
         bl_signal *cosine = bl_test_cosine(0, 1, (const double[]){inside[i], 0, 0});
         bl_score_property result = measure_band(cosine, 0, 1, -INFINITY);
-        expect(&result, "no leak", BL_SCORE_PASS, "no leak at all");
+        expect(&result, "no leak", BL_VERDICT_PASS, "no leak at all");
         result = measure_band(cosine, 0, 1, -150); // less than can be measured
-        expect(&result, "little leak", BL_SCORE_PASS, "floor");
+        expect(&result, "little leak", BL_VERDICT_PASS, "floor");
         result = measure_band(cosine, 0, 1, NAN);
-        expect(&result, "unknown leak", BL_SCORE_PASS, "without a leak");
+        expect(&result, "unknown leak", BL_VERDICT_PASS, "without a leak");
         result = measure_band(cosine, 0, 0.25, -INFINITY);
-        expect(&result, "no leak", BL_SCORE_FAIL, "no leak at all");
+        expect(&result, "no leak", BL_VERDICT_FAIL, "no leak at all");
         result = measure_band(cosine, 0, 0.25, NAN);
-        expect(&result, "unknown leak", BL_SCORE_FAIL, "-30 dB");
+        expect(&result, "unknown leak", BL_VERDICT_FAIL, "-30 dB");
         result = measure_band(cosine, 1.5, INFINITY, NAN); // a band without an end
-        expect(&result, "from 1.5", BL_SCORE_FAIL, "-30 dB");
+        expect(&result, "from 1.5", BL_VERDICT_FAIL, "-30 dB");
         bl_signal_free(cosine);
     }
     // The kernel that reads fourier's tile leaves images of its band, some 51 dB down.
     bl_signal *fourier = open_noise("fourier");
     bl_score_property result = measure_band(fourier, 0, 1, -INFINITY);
-    expect(&result, "fourier", BL_SCORE_FAIL, "no leak at all");
+    expect(&result, "fourier", BL_VERDICT_FAIL, "no leak at all");
     bl_signal_free(fourier);
 }
 
@@ -590,13 +590,13 @@ static void test_a_signal_without_numbers_fails(void **state) {
     bl_score score;
     uint64_t all = (UINT64_C(1) << bl_property_count()) - 1;
     bl_score_property result = measure("repeatable", signal);
-    expect(&result, "NaN", BL_SCORE_FAIL, "not finite");
+    expect(&result, "NaN", BL_VERDICT_FAIL, "not finite");
     assert_int_equal(
         bl_score_measure(&(bl_score_subject){.signal = signal}, &settings, all, &score, &message),
         BL_OK);
-    assert_int_equal(bl_score_status(&score, 1, 0), BL_FAIL);
+    assert_int_equal(bl_score_verdict(&score, 1, 0), BL_VERDICT_FAIL);
     for (size_t i = 0; i < bl_property_count(); i++)
-        if (score.properties[i].verdict == BL_SCORE_PASS)
+        if (score.properties[i].verdict == BL_VERDICT_PASS)
             fail_msg("%s passes without a number", bl_property_at(i)->name);
     bl_signal_free(signal);
 }
@@ -608,7 +608,7 @@ static void test_what_is_constant_for_each_seed_is_not_judged(void **state) {
         bl_signal *signal = make_odd(which);
         for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
             bl_score_property result = measure(names[i], signal);
-            expect(&result, names[i], BL_SCORE_NOT_RUN, "constant for each seed");
+            expect(&result, names[i], BL_VERDICT_NOT_RUN, "constant for each seed");
         }
         bl_signal_free(signal);
     }
@@ -624,11 +624,11 @@ static void test_a_function_without_a_seed_is_not_judged_as_random(void **state)
         if (bl_source_open(texts[i], BL_ISA_BEST, &signal, &message) != BL_OK)
             fail_msg("%s: %s", texts[i], message.text);
         bl_score_property result = measure("stationarity", signal);
-        expect(&result, texts[i], BL_SCORE_NOT_RUN, i < 2 ? "neither repeats" : "one function");
+        expect(&result, texts[i], BL_VERDICT_NOT_RUN, i < 2 ? "neither repeats" : "one function");
         result = measure("far", signal);
-        expect(&result, texts[i], i < 2 ? BL_SCORE_NOT_RUN : BL_SCORE_PASS, "");
+        expect(&result, texts[i], i < 2 ? BL_VERDICT_NOT_RUN : BL_VERDICT_PASS, "");
         result = measure("range", signal);
-        expect(&result, texts[i], BL_SCORE_PASS, "");
+        expect(&result, texts[i], BL_VERDICT_PASS, "");
         bl_signal_free(signal);
     }
 }
@@ -640,7 +640,7 @@ static void test_a_seed_that_does_nothing_gives_words_and_no_infinite_deviate(vo
     bl_message message = {""};
     assert_int_equal(bl_source_open("image:amount=0", BL_ISA_BEST, &signal, &message), BL_OK);
     bl_score_property result = measure("stationarity", signal);
-    expect(&result, "image", BL_SCORE_FAIL, "is the same number in every batch");
+    expect(&result, "image", BL_VERDICT_FAIL, "is the same number in every batch");
     bl_signal_free(signal);
 }
 
@@ -652,7 +652,7 @@ static void test_the_edges_of_a_known_band_are_found(void **state) {
     assert_near(bl_score_find(&result, "edge_30db_low_x")->estimate.value, 0.5, width);
     assert_near(bl_score_find(&result, "edge_30db_high_x")->estimate.value, 0.5, width);
     assert_near(bl_score_find(&result, "share_0_3_to_0_7_x")->estimate.value, 1, 1e-6);
-    expect(&result, "cosine", BL_SCORE_PASS, "the ideal");
+    expect(&result, "cosine", BL_VERDICT_PASS, "the ideal");
     bl_signal_free(cosine);
 }
 
@@ -662,17 +662,17 @@ static void test_a_grid_is_measured_on_its_samples(void **state) {
     (void)state;
     bl_signal *image = bl_test_white_image(1, 96, 64, 0.125);
     bl_score_property result = measure("repeatable", image);
-    expect(&result, "repeatable", BL_SCORE_PASS, "1 scale of");
+    expect(&result, "repeatable", BL_VERDICT_PASS, "1 scale of");
     result = measure("range", image);
     assert_near(bl_score_find(&result, "samples")->estimate.value, 96 * 64, 0);
     result = measure("band", image);
-    expect(&result, "band", BL_SCORE_FAIL, "the ideal");
+    expect(&result, "band", BL_VERDICT_FAIL, "the ideal");
     assert_non_null(bl_score_find(&result, "leak_radial_db"));
     assert_null(bl_score_find(&result, "leak_diagonal_db"));
     bl_signal_free(image);
     image = bl_test_white_image(1, 96, 64, 1);
     result = measure("band", image);
-    expect(&result, "coarse", BL_SCORE_NOT_RUN, "nothing is left to judge");
+    expect(&result, "coarse", BL_VERDICT_NOT_RUN, "nothing is left to judge");
     bl_signal_free(image);
 }
 
@@ -696,7 +696,7 @@ static void test_mean_and_variance_fail_as_often_as_alpha_says(void **state) {
         settings.seed = 100 + i;
         bl_score_property result =
             measure_subject("range", &(bl_score_subject){.signal = hat}, &settings);
-        failed += result.verdict == BL_SCORE_FAIL;
+        failed += result.verdict == BL_VERDICT_FAIL;
     }
     assert_less((double)failed, most_failures(runs, 0.1));
     // Nor more seldom: with 1/2 shared by the two, at least a quarter of 60 runs fails but for a
@@ -707,7 +707,7 @@ static void test_mean_and_variance_fail_as_often_as_alpha_says(void **state) {
         settings.seed = 100 + i;
         bl_score_property result =
             measure_subject("range", &(bl_score_subject){.signal = hat}, &settings);
-        failed += claim_of(&result, "mean") == BL_SCORE_FAIL;
+        failed += claim_of(&result, "mean") == BL_VERDICT_FAIL;
     }
     assert_true(failed > 1);
     bl_signal_free(hat);
@@ -736,8 +736,8 @@ static void test_a_true_leak_fails_as_often_as_alpha_says(void **state) {
         settings.seed = 100 + i;
         bl_score_property result =
             measure_subject("band", &(bl_score_subject){.signal = hat}, &settings);
-        failed += result.verdict == BL_SCORE_FAIL;
-        passed += result.verdict == BL_SCORE_PASS;
+        failed += result.verdict == BL_VERDICT_FAIL;
+        passed += result.verdict == BL_VERDICT_PASS;
     }
     assert_less((double)failed, most_failures(runs, 0.1));
     assert_true(passed + failed == runs);

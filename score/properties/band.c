@@ -199,13 +199,13 @@ static bl_status look_again(const bl_signal *signal, const band_claim *claim,
 static void judge_leak(bl_score_property *result, const bl_psd *psd, const band_claim *claim,
                        bl_band_limit *limit) {
     double passes = claim->leak_db + claim->margin_db;
-    bl_score_verdict verdict = limit->lower_db > claim->leak_db ? BL_SCORE_FAIL
-                               : limit->upper_db <= passes      ? BL_SCORE_PASS
-                                                                : BL_SCORE_INCONCLUSIVE;
+    bl_verdict verdict = limit->lower_db > claim->leak_db ? BL_VERDICT_FAIL
+                         : limit->upper_db <= passes      ? BL_VERDICT_PASS
+                                                          : BL_VERDICT_INCONCLUSIVE;
     char settle[80] = "";
-    if (verdict == BL_SCORE_INCONCLUSIVE && claim->margin_db > 0)
+    if (verdict == BL_VERDICT_INCONCLUSIVE && claim->margin_db > 0)
         snprintf(settle, sizeof settle, "; it passes below %.4g dB: take more averages", passes);
-    else if (verdict == BL_SCORE_INCONCLUSIVE && limit->needed_averages)
+    else if (verdict == BL_VERDICT_INCONCLUSIVE && limit->needed_averages)
         snprintf(settle, sizeof settle, "; about %zu averages would settle it",
                  limit->needed_averages);
     snprintf(result->cell, sizeof result->cell, isfinite(limit->leak_db) ? "%.1f dB" : "none",
@@ -221,12 +221,12 @@ static void judge(bl_score_property *result, bl_psd *psd, const band_claim *clai
     bl_band_limit limit = {.from = claim->from, .to = claim->to, .limit_db = claim->leak_db};
     limit.guard = bl_psd_guard(psd);
     if (!(psd->variance.value > 0)) {
-        bl_score_judge(result, BL_SCORE_NOT_RUN, claim->against,
+        bl_score_judge(result, BL_VERDICT_NOT_RUN, claim->against,
                        "it is constant: there is no variance to judge");
         return;
     }
     if (!bl_psd_has_outside(psd, &limit) || limit.from >= 0.5 * psd->settings.rate) {
-        bl_score_judge(result, BL_SCORE_NOT_RUN, claim->against,
+        bl_score_judge(result, BL_VERDICT_NOT_RUN, claim->against,
                        "its samples hold frequencies up to %g cycles per unit, so nothing is left "
                        "to judge outside of %g to %g; of an image spacing= tells its scale",
                        0.5 * psd->settings.rate, limit.from, limit.to);
@@ -252,7 +252,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
                          bl_score_property *result, bl_message *message) {
     const bl_signal *signal = subject->signal;
     band_claim claim = claim_of(signal);
-    bl_score_judge(result, BL_SCORE_NOT_RUN, claim.against, "nothing was measured");
+    bl_score_judge(result, BL_VERDICT_NOT_RUN, claim.against, "nothing was measured");
     if (!bl_score_varies(signal, settings, result))
         return BL_OK;
     for (way which = ALONG_X; which < WAYS; which++) {
@@ -267,7 +267,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         if (status == BL_DEVICE)
             return bl_report(message, status, "%s", own.text);
         if (status != BL_OK && which == ALONG_X) {
-            bl_score_judge(result, BL_SCORE_NOT_RUN, claim.against, "%s", own.text);
+            bl_score_judge(result, BL_VERDICT_NOT_RUN, claim.against, "%s", own.text);
             return BL_OK;
         }
         if (status != BL_OK) // a grid without squares, say; the line has been judged

@@ -261,20 +261,21 @@ static void judge(const bl_signal *signal, const summary *s, const bl_score_look
         snprintf(result->cell, sizeof result->cell, "C%d%s", found_class,
                  found_class == ORDERS - 1 ? "+" : "");
     if (found_class < wanted && found_class < ORDERS - 1)
-        bl_score_judge(result, BL_SCORE_FAIL, against,
+        bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "%s jumps by %.3g at (%.12g, %.12g, %.12g, %.12g); %s %s",
                        what[found_class + 1], worst->size, worst->at[0], worst->at[1], worst->at[2],
                        worst->at[3], is_stated ? "stated" : "wanted",
                        bl_continuity_text(wanted, class, sizeof class));
     else if (is_blind && wanted > 0)
-        bl_score_judge(result, BL_SCORE_INCONCLUSIVE, against,
+        bl_score_judge(result, BL_VERDICT_INCONCLUSIVE, against,
                        "the value does not jump; its derivatives cannot be seen, because the "
                        "values are rounded too coarsely");
     else if (is_stated && wanted < 0)
-        bl_score_judge(result, BL_SCORE_PASS, against, "stated discontinuous; %s",
+        bl_score_judge(result, BL_VERDICT_PASS, against, "stated discontinuous; %s",
                        found_class < 0 ? "its value jumps" : "no jump was found");
     else
-        bl_score_judge(result, BL_SCORE_PASS, against, "no jump up to derivative %d at %zu places",
+        bl_score_judge(result, BL_VERDICT_PASS, against,
+                       "no jump up to derivative %d at %zu places",
                        wanted < ORDERS ? wanted : ORDERS - 1, s->places);
 }
 

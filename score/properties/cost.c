@@ -66,7 +66,7 @@ static void place_row(work_of_kernel *work) {
 static void judge(bl_score_property *result, const bl_time times[2], double samples) {
     double row = times[0].minimum / samples, points = times[1].minimum / samples;
     if (!(row > 0) || !(points > 0) || !isfinite(row) || !isfinite(points)) {
-        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+        bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL,
                        "the clock could not be trusted: a run took no time that it could tell");
         return;
     }
@@ -77,7 +77,7 @@ static void judge(bl_score_property *result, const bl_time times[2], double samp
     bl_score_add(result, "points_ns", (bl_estimate){points, points, points_worst, level, 6});
     bl_score_add_seen(result, "points_median_ns", times[1].median / samples);
     snprintf(result->cell, sizeof result->cell, "%.3g ns", row);
-    bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+    bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL,
                    "for information: %.3g ns a sample in rows, %.3g ns a scattered point", row,
                    points);
 }

@@ -255,23 +255,23 @@ static void judge(const bl_signal *signal, const summary *s, double limit, int i
     bl_score_against against = signal->facts.far > 0 ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL;
     const char *wish = against == BL_AGAINST_CLAIM ? "stated" : "wanted";
     if (s->lost > 0)
-        bl_score_judge(result, BL_SCORE_FAIL, against,
+        bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "half of the values in a cell are distinct numbers up to %.0e; at %.0e too "
                        "few are, and %s is %.3g",
                        s->reach, s->lost, wish, limit);
     else if (!s->is_finite)
-        bl_score_judge(result, BL_SCORE_FAIL, against,
+        bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "half of the values in a cell are distinct numbers up to %.0e, but some "
                        "below %.3g are not finite, and %s is %.3g",
                        s->reach, limit, wish, limit);
     else if (!is_nan)
-        bl_score_judge(result, BL_SCORE_FAIL, against,
+        bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "a coordinate that is NaN or infinite does not give NaN");
     else if (ratio->lower > 1.2 || ratio->upper < 0.8)
-        bl_score_judge(result, BL_SCORE_FAIL, against,
+        bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "the variance near 1e6 is %.3g times that near 0", ratio->value);
     else
-        bl_score_judge(result, BL_SCORE_PASS, against,
+        bl_score_judge(result, BL_VERDICT_PASS, against,
                        "values stay distinct numbers up to %.0e (%s: %.3g), and the variance near "
                        "1e6 is %.3g times that near 0",
                        s->reach, wish, limit, ratio->value);

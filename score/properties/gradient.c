@@ -129,7 +129,7 @@ static void judge(const place *places, size_t all, unsigned dimensions, double *
     bl_score_add_exact(result, "places", (double)count);
     bl_score_add_exact(result, "places_left_out", (double)(all - count));
     if (2 * count < all) {
-        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_CLAIM,
+        bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_CLAIM,
                        "most places are too near a jump of the value or of a derivative");
         return;
     }
@@ -143,12 +143,12 @@ static void judge(const place *places, size_t all, unsigned dimensions, double *
         bl_score_not_finite(result);
     } else if (share > SHARE_WRONG) {
         const double *at = places[first].at;
-        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_CLAIM,
+        bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_CLAIM,
                        "the gradient is not the derivative at %.3g %% of the places, such as "
                        "(%.6g, %.6g, %.6g, %.6g); median error %.2g",
                        100 * share, at[0], at[1], at[2], at[3], median);
     } else {
-        bl_score_judge(result, BL_SCORE_PASS, BL_AGAINST_CLAIM,
+        bl_score_judge(result, BL_VERDICT_PASS, BL_AGAINST_CLAIM,
                        "the gradient is the derivative: median error %.2g of its size", median);
     }
 }
@@ -158,7 +158,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     const bl_signal *signal = subject->signal;
     bl_score_look look;
     if (!signal->functions->gradient) {
-        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "the signal has no gradient");
+        bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL, "the signal has no gradient");
         return BL_OK;
     }
     if (!bl_score_look_at(subject, settings, result, &look))

@@ -243,12 +243,12 @@ static void judge(const bl_signal *signal, const batch *b, size_t count, const d
     int is_tail_judged = share && share->estimate.value >= 10 * log10(TAIL_LEAST);
     snprintf(result->cell, sizeof result->cell, "%+.2f dB", is_tail_judged ? cross_db : ratio);
     if (fabs(largest) > limit && is_tail)
-        bl_score_judge(result, BL_SCORE_FAIL, against,
+        bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "above 1 cycle a cell, the power near the axes is %+.2f dB of that near the "
                        "diagonals (%.1f standard errors)",
                        cross_db, largest);
     else if (fabs(largest) > limit)
-        bl_score_judge(result, BL_SCORE_FAIL, against,
+        bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "at the lag of %g cells, differences %s deviate by %.1f standard errors; "
                        "axes to diagonals: %+.2f dB",
                        worst_lag,
@@ -258,7 +258,7 @@ static void judge(const bl_signal *signal, const batch *b, size_t count, const d
                        largest, ratio);
     else
         bl_score_judge(
-            result, BL_SCORE_PASS, against,
+            result, BL_VERDICT_PASS, against,
             "differences are of one size in %u directions at four lags, as far as %zu "
             "batches can tell; axes to diagonals: %+.2f dB, above 1 cycle a cell %+.2f dB",
             d->count, count, ratio, cross_db);
@@ -272,7 +272,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         !bl_score_varies(signal, settings, result))
         return BL_OK;
     if (look.dimensions < 2) {
-        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+        bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL,
                        "a signal of one dimension has no directions");
         return BL_OK;
     }
@@ -291,7 +291,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
             take(signal, &d, &look, rows, plan, i,
                  bl_score_random(settings, BL_SCORE_STREAM_ISOTROPY, i), &batches[i]);
         judge(signal, batches, count, &d, settings, room, result);
-        if (result->verdict != BL_SCORE_NOT_RUN)
+        if (result->verdict != BL_VERDICT_NOT_RUN)
             bl_score_add_rings(signal, settings, &look, result);
     }
     int is_missing = !batches || !room;

@@ -270,10 +270,10 @@ static void judge_repeats(const axis_result *r, unsigned axes, double cell, int 
     for (unsigned a = 0; a < axes; a++) {
         bl_score_against against = isnan(r[a].stated) ? BL_AGAINST_IDEAL : BL_AGAINST_CLAIM;
         if (!r[a].is_true)
-            bl_score_judge(result, BL_SCORE_FAIL, against, "states a period of %.10g along %c: no",
-                           r[a].stated * cell, "xyzw"[a]);
+            bl_score_judge(result, BL_VERDICT_FAIL, against,
+                           "states a period of %.10g along %c: no", r[a].stated * cell, "xyzw"[a]);
         else if (r[a].repeat > 0 && !(r[a].repeat >= r[a].stated && r[a].stated > 0))
-            bl_score_judge(result, BL_SCORE_FAIL, against, "repeats after %.10g along %c; %s",
+            bl_score_judge(result, BL_VERDICT_FAIL, against, "repeats after %.10g along %c; %s",
                            r[a].repeat * cell, "xyzw"[a],
                            isnan(r[a].stated) ? "nothing is stated"
                            : r[a].stated > 0  ? "more is stated"
@@ -305,17 +305,17 @@ static void judge(const axis_result *r, unsigned axes, double cell, bl_score_pro
     else
         snprintf(result->cell, sizeof result->cell, "%.10g", smallest);
     judge_repeats(r, axes, cell, &is_stated, result);
-    if (result->verdict == BL_SCORE_FAIL)
+    if (result->verdict == BL_VERDICT_FAIL)
         return;
     if (line.excess > 1)
-        bl_score_judge(result, is_stated ? BL_SCORE_PASS : BL_SCORE_FAIL,
+        bl_score_judge(result, is_stated ? BL_VERDICT_PASS : BL_VERDICT_FAIL,
                        is_stated ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL,
                        "%sa spectral line of %.3g cycles a unit along %c, %.1f dB above its "
                        "surroundings",
                        is_stated ? "the stated periods hold; but " : "", line.frequency / cell,
                        "xyzw"[line_axis], 10 * log10(line.ratio));
     else
-        bl_score_judge(result, BL_SCORE_PASS, is_stated ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL,
+        bl_score_judge(result, BL_VERDICT_PASS, is_stated ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL,
                        "%s, no other repeat up to 2^%d cells, and no spectral line",
                        isinf(smallest) ? "no period" : "the stated period holds", POWER_MOST);
 }
@@ -329,7 +329,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     if (!bl_score_look_at(subject, settings, result, &look))
         return BL_OK;
     if (is_nearly_constant(&(walk){subject->signal, &look, settings, 0})) {
-        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+        bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL,
                        "the signal is too nearly constant to tell a repeat");
         return BL_OK;
     }
@@ -340,7 +340,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     }
     for (unsigned a = 0; a < look.dimensions; a++)
         if (statuses[a] != BL_OK) {
-            bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "out of memory");
+            bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL, "out of memory");
             return bl_report(message, statuses[a], "%s", messages[a].text);
         }
     judge(axes, look.dimensions, look.cell, result);

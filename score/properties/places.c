@@ -21,7 +21,7 @@ int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *s
     if (signal->facts.cell > 0 && signal->facts.far > 0)
         look->finest = fmin(cell, signal->facts.far * 0x1p-52);
     if (signal->extent.size[0]) {
-        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+        bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL,
                        "the signal is a grid of samples, which has no values between them");
         return 0;
     }
@@ -33,7 +33,7 @@ int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *s
     double lower = INFINITY, upper = -INFINITY;
     for (int i = 0; i < LOOKS; i++) {
         if (!isfinite(value[i])) {
-            bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+            bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL,
                            "the value at (%.9g, %.9g, %.9g, %.9g) is not finite", column[0][i],
                            column[1][i], column[2][i], column[3][i]);
             return 0;
@@ -49,7 +49,7 @@ int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *s
     double size = fmax(fmax(fabs(lower), fabs(upper)), fabs(signal->facts.upper)); // fmax drops NaN
     if (look->range <= 32 * 0x1p-24 * (isfinite(size) ? size : 0)) {
         if (bl_score_varies(signal, settings, result))
-            bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+            bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL,
                            "the signal is the constant %g", lower);
         return 0;
     }
@@ -95,7 +95,7 @@ int bl_score_varies(const bl_signal *signal, const bl_score_settings *settings,
     }
     if (2 * constant < FRESH || !differs)
         return 1;
-    bl_score_judge(result, BL_SCORE_NOT_RUN, result->against,
+    bl_score_judge(result, BL_VERDICT_NOT_RUN, result->against,
                    "constant for each seed: of %d seeds of 64 bits, %d have one value within "
                    "eight cells of the origin",
                    FRESH, constant);
@@ -106,17 +106,17 @@ int bl_score_has_statistics(const bl_signal *signal, bl_score_property *result) 
     bl_message message = {""};
     if (bl_signal_check_statistics(signal, &message) == BL_OK)
         return 1;
-    bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "%s", message.text);
+    bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL, "%s", message.text);
     return 0;
 }
 
 void bl_score_not_finite(bl_score_property *result) {
-    bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+    bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL,
                    "the signal has values that are not finite");
 }
 
 bl_status bl_score_no_memory(bl_score_property *result, bl_message *message) {
-    bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "out of memory");
+    bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL, "out of memory");
     return bl_report(message, BL_DEVICE, "out of memory for the scorecard");
 }
 

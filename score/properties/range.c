@@ -309,12 +309,12 @@ static void judge_bound(bl_score_property *result, const bl_signal *signal, cons
         char seed[40] = "";
         if (found->has_seed)
             snprintf(seed, sizeof seed, " with seed %llu", (unsigned long long)worst->seed);
-        bl_score_add_claim(result, "range", BL_SCORE_FAIL,
+        bl_score_add_claim(result, "range", BL_VERDICT_FAIL,
                            "%.9g at %s%s lies outside of the stated range [%.9g, %.9g]",
                            worst->value, bl_score_place_text(signal, worst->at).text, seed, lower,
                            upper);
     } else {
-        bl_score_add_claim(result, "range", BL_SCORE_PASS,
+        bl_score_add_claim(result, "range", BL_VERDICT_PASS,
                            "found %.6g to %.6g, which is %.0f %% of the stated range [%.6g, %.6g]",
                            found->low.value, found->high.value,
                            100 * (found->high.value - found->low.value) / (upper - lower), lower,
@@ -332,15 +332,15 @@ static void judge_number(bl_score_property *result, const char *name, double sta
     // mean, so that the interval is a point.
     double rounding = 0x1p-23 * fmax(fabs(stated), scale);
     if (!(stated >= test->lower - rounding && stated <= test->upper + rounding))
-        bl_score_add_claim(result, name, BL_SCORE_FAIL,
+        bl_score_add_claim(result, name, BL_VERDICT_FAIL,
                            "%s %.6g is not the stated %.6g (%.6g to %.6g at the level 1 - %.2g)",
                            name, shown->value, stated, test->lower, test->upper, missed);
     else if (!(half <= COARSEST * scale))
-        bl_score_add_claim(result, name, BL_SCORE_INCONCLUSIVE,
+        bl_score_add_claim(result, name, BL_VERDICT_INCONCLUSIVE,
                            "%s %.6g +- %.2g is too coarse to judge the stated %.6g by", name,
                            shown->value, half, stated);
     else
-        bl_score_add_claim(result, name, BL_SCORE_PASS,
+        bl_score_add_claim(result, name, BL_VERDICT_PASS,
                            "%s %.6g +- %.2g agrees with the stated %.6g", name, shown->value, half,
                            stated);
 }
@@ -363,12 +363,12 @@ static void judge(bl_score_property *result, const bl_signal *signal, const find
                      missed, found->variance.value);
     const bl_score_claim *worst = NULL;
     for (size_t i = 0; i < result->claim_count; i++)
-        if (!worst || bl_score_worse(result->claims[i].verdict, worst->verdict) != worst->verdict)
+        if (!worst || bl_verdict_worse(result->claims[i].verdict, worst->verdict) != worst->verdict)
             worst = &result->claims[i];
     if (worst)
         bl_score_judge(result, worst->verdict, BL_AGAINST_CLAIM, "%s", worst->reason);
     else
-        bl_score_judge(result, exceeds(found, -1, 1) ? BL_SCORE_FAIL : BL_SCORE_PASS,
+        bl_score_judge(result, exceeds(found, -1, 1) ? BL_VERDICT_FAIL : BL_VERDICT_PASS,
                        BL_AGAINST_IDEAL,
                        "no range is stated; values from %.6g to %.6g against the ideal [-1, 1]",
                        found->low.value, found->high.value);
@@ -384,9 +384,9 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     if (status == BL_DEVICE)
         return bl_report(message, status, "%s", own.text);
     if (status != BL_OK) // of a grid: what is not finite, with its place
-        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_CLAIM, "%s", own.text);
+        bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_CLAIM, "%s", own.text);
     else if (found.broken)
-        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_CLAIM, "the value at %s is not finite",
+        bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_CLAIM, "the value at %s is not finite",
                        bl_score_place_text(signal, found.low.at).text);
     if (status != BL_OK || found.broken)
         return BL_OK;

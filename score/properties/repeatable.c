@@ -280,12 +280,12 @@ static void judge(trial *t, size_t scales, bl_score_property *result) {
     bl_score_add_exact(result, "instruction_sets", (double)subject->variant_count + 1);
     if (t->difference[0]) {
         snprintf(result->cell, sizeof result->cell, "differs");
-        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_CLAIM, "%s", t->difference);
+        bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_CLAIM, "%s", t->difference);
         return;
     }
     if (t->hole[0]) {
         snprintf(result->cell, sizeof result->cell, "no number");
-        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_CLAIM,
+        bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_CLAIM,
                        "it is no signal: the value at %s is not finite", t->hole);
         return;
     }
@@ -295,17 +295,17 @@ static void judge(trial *t, size_t scales, bl_score_property *result) {
     bl_score_add_exact(result, "error_allowed", allowed);
     snprintf(result->cell, sizeof result->cell, worst > 0 ? "%.0e" : "%g", worst);
     if (worst > allowed && t->route_error > allowed)
-        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_CLAIM,
+        bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_CLAIM,
                        "a row and the same places as points differ by %.3g at %s; %.3g is allowed",
                        t->route_error, bl_score_place_text(subject->signal, t->row_error_at).text,
                        allowed);
     else if (worst > allowed)
-        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_CLAIM,
+        bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_CLAIM,
                        "rows differ from the double reference by %.3g, points by %.3g; %.3g is "
                        "allowed",
                        t->row_error, t->point_error, allowed);
     else
-        bl_score_judge(result, BL_SCORE_PASS, BL_AGAINST_CLAIM,
+        bl_score_judge(result, BL_VERDICT_PASS, BL_AGAINST_CLAIM,
                        "the same bits twice, backwards, in pieces, from %d threads and by %zu "
                        "instruction set%s, at %zu scale%s of coordinates; rows and points are "
                        "within %.2g of the double reference",

@@ -242,7 +242,7 @@ static void judge(const survey *s, const batch *b, totals sum, const bl_score_se
     char what[128];
     double *room = malloc(s->seeds * sizeof *room);
     if (!room) {
-        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "out of memory");
+        bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL, "out of memory");
         return;
     }
     sum.correlation = largest_correlation(s, b, settings->level, room);
@@ -258,21 +258,21 @@ static void judge(const survey *s, const batch *b, totals sum, const bl_score_se
     snprintf(result->cell, sizeof result->cell, "|r| %.2g", fabs(sum.correlation.value));
     if (sum.dead_bits) {
         snprintf(result->cell, sizeof result->cell, "%u dead", (unsigned)sum.dead_bits);
-        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_IDEAL,
+        bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_IDEAL,
                        "%zu bits of the seed do nothing at most places, the first is bit %zu",
                        sum.dead_bits, sum.first_dead);
     } else if (isnan(sum.largest_t)) {
         bl_score_not_finite(result);
     } else if (fabs(sum.largest_t) > sum.limit) {
-        bl_score_judge(result, BL_SCORE_FAIL, BL_AGAINST_IDEAL,
+        bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_IDEAL,
                        "%s are related: %.1f standard errors", what, sum.largest_t);
     } else if (!(sum.told <= MOST_TOLD)) {
-        bl_score_judge(result, BL_SCORE_INCONCLUSIVE, BL_AGAINST_IDEAL,
+        bl_score_judge(result, BL_VERDICT_INCONCLUSIVE, BL_AGAINST_IDEAL,
                        "all 64 bits count; a relation of neighbouring seeds below %.2g of the "
                        "variance cannot be told from chance over %zu seeds",
                        sum.told, s->seeds);
     } else {
-        bl_score_judge(result, BL_SCORE_PASS, BL_AGAINST_IDEAL,
+        bl_score_judge(result, BL_VERDICT_PASS, BL_AGAINST_IDEAL,
                        "all 64 bits count, and neighbouring seeds are unrelated: |r| up to %.3f "
                        "over %zu places",
                        fabs(sum.correlation.value), s->seeds * s->places);
@@ -316,7 +316,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     bl_score_look look;
     if (signal->seed_offset == SIZE_MAX ||
         (signal->functions->release && !signal->functions->build)) {
-        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL, "the signal has no seed");
+        bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL, "the signal has no seed");
         return BL_OK;
     }
     if (!bl_score_look_at(subject, settings, result, &look))

@@ -262,14 +262,14 @@ static void judge(const survey *s, const batch *b, size_t count, const bl_score_
     snprintf(result->cell, sizeof result->cell, "%.2g dB", ratio);
     describe(s, worst / 2, worst % 2, what, sizeof what);
     if (isinf(largest)) // a seed that changes nothing, and cells that are all alike
-        bl_score_judge(result, BL_SCORE_FAIL, against,
+        bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "%s is the same number in every batch, %s that of all places", what,
                        largest > 0 ? "above" : "below");
     else if (fabs(largest) > limit)
-        bl_score_judge(result, BL_SCORE_FAIL, against, "%s deviates by %.1f standard errors", what,
-                       largest);
+        bl_score_judge(result, BL_VERDICT_FAIL, against, "%s deviates by %.1f standard errors",
+                       what, largest);
     else
-        bl_score_judge(result, BL_SCORE_PASS, against,
+        bl_score_judge(result, BL_VERDICT_PASS, against,
                        "mean and variance are the same all over the cell, as far as %zu batches "
                        "can tell",
                        count);
@@ -284,7 +284,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     if (!bl_score_has_statistics(subject->signal, result))
         return BL_OK;
     if (subject->signal->definition && subject->signal->seed_offset == SIZE_MAX) {
-        bl_score_judge(result, BL_SCORE_NOT_RUN, BL_AGAINST_IDEAL,
+        bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL,
                        "the signal has no seed: it is one function, whose value at a place of the "
                        "cell is not random");
         return BL_OK;
