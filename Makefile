@@ -5,12 +5,13 @@
 #   make install    PREFIX=/usr/local DESTDIR=             make format     clang-format
 #   make asan, ubsan, tsan   the quick tests under a sanitizer; sanitize: the first two at once
 #   make V=1        shows the commands
-#   make check T=word    only the tests whose name has the word; SCALE=10 repeats more
+#   make check T=word    only the tests whose name has the word; SCALE=1 repeats as often as CI does
 
 PREFIX ?= /usr/local
 BUILD ?= build
 CFLAGS ?= -O3 -g
 CXXFLAGS ?= -O2 -g
+TEST_CFLAGS ?= -O1 -g
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 VERSION := $(shell sed -n 's/.*BL_VERSION "\(.*\)".*/\1/p' core/version.h)
 SOVERSION := 0
@@ -59,7 +60,7 @@ ISA_FLAGS_v4 := -march=x86-64-v4 -mtune=icelake-server -mprefer-vector-width=512
 Q := $(if $(V),,@)
 say = $(if $(V),,@printf '  %-8s %s\n' $(1) $@)
 
-.PHONY: all check reproduce bench install deps format clean asan ubsan sanitize tsan
+.PHONY: all tests check reproduce bench install deps format clean asan ubsan sanitize tsan
 .DELETE_ON_ERROR:
 all: $(BUILD)/bandlimit $(BUILD)/libbandlimit.a $(BUILD)/libbandlimit.so $(BUILD)/bandlimit.pc
 
@@ -103,9 +104,24 @@ $(BUILD)/bandlimit.pc: bandlimit.pc.in core/version.h
 
 # --- tests --------------------------------------------------------------------------------------
 
+# How often statistical tests repeat, and how much of a walk over all settings is walked. Each test
+# computes its limits from its own count, so its stated error rate holds at every scale; a smaller
+# one sees less. By hand a tenth; 1 is what CI runs, and what a test program run alone takes.
+SCALE ?= 0.1
+
+# Tests are not what is timed: less optimised, they compile in half the time.
+$(BUILD)/tests/%.o: CFLAGS := $(TEST_CFLAGS)
 $(BUILD)/tests/t-%: $(BUILD)/tests/t-%.o $(TEST_HELPERS) $(BUILD)/libbandlimit.a
 	$(call say,link)
 	$(Q)$(CXX) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) $(TEST_LIBS) -o $@
+
+# With T=word, the programs that have it in their name or in that of a test: nothing else need be
+# built or started.
+NAMING = $(patsubst tests/%.c,%,$(shell grep -l '^static void .*$(T).*[*][*]' tests/t-*.c))
+SELECTED := $(TESTS)
+ifneq ($(T),)
+SELECTED := $(sort $(foreach test,$(TESTS),$(if $(findstring $(T),$(test)),$(test))) $(NAMING))
+endif
 
 # Functions and a program of a user's, some of them bad, for the tests that open them.
 USER_SOURCES := $(BUILD)/tests/plugins/functions.so $(BUILD)/tests/plugins/child
@@ -119,23 +135,28 @@ $(BUILD)/tests/plugins/%: tests/plugins/%.c
 	$(Q)$(CC) -std=gnu17 -D_GNU_SOURCE $(C_WARNINGS) -O1 -g $< -o $@
 $(addprefix $(BUILD)/tests/,t-plugin t-program t-compare t-cli-score): | $(USER_SOURCES)
 
-# A log is always made anew; the last line counts what all of them say.
-LOGS := $(TESTS:%=$(BUILD)/tests/%.log)
+# A log is always made anew; the last line counts what all of them say. REPEAT is the command that
+# a failed test is repeated with, but for T.
+LOGS := $(SELECTED:%=$(BUILD)/tests/%.log)
+AT_SCALE := $(if $(filter-out file,$(origin SCALE)), SCALE=$(SCALE))
+REPEAT = make check$(AT_SCALE)
 .PHONY: $(LOGS)
 $(LOGS): %.log: % $(BUILD)/bandlimit
-	@BL_PROGRAM=$(BUILD)/bandlimit BL_BUILD=$(BUILD) T='$(T)' SCALE='$(SCALE)' \
+	@BL_PROGRAM=$(BUILD)/bandlimit BL_BUILD=$(BUILD) T='$(T)' SCALE='$(SCALE)' REPEAT='$(REPEAT)' \
 	    sh tests/run.sh $< $@
 
-check: deps
-	@$(MAKE) --no-print-directory -j$(JOBS) $(BUILD)/bandlimit $(TESTS:%=$(BUILD)/tests/%)
-	@$(MAKE) --no-print-directory -j$(JOBS) --output-sync=target $(LOGS)
-	@sh tests/summary.sh $(LOGS)
+tests: $(BUILD)/bandlimit $(SELECTED:%=$(BUILD)/tests/%)
+	@:
 
-# Sanitized builds stand apart; their speed asks for the quick tests only. OpenImageIO 2.4 deletes
+check: deps
+	@$(MAKE) --no-print-directory -j$(JOBS) tests
+	@$(MAKE) --no-print-directory -j$(JOBS) --output-sync=target $(LOGS)
+	@T='$(T)' REPEAT='$(REPEAT)' sh tests/summary.sh $(LOGS)
+
+# Sanitized builds stand apart. OpenImageIO 2.4 deletes
 # its texture system by the type of the interface, which the address sanitizer takes for a fault.
 SANITIZED = ASAN_OPTIONS=new_delete_type_mismatch=0 $(MAKE) --no-print-directory check \
-    BUILD=build/$@ CFLAGS='-O1 -g' CXXFLAGS='-O1 -g' \
-    SCALE=0.1
+    BUILD=build/$@ CFLAGS='-O1 -g' CXXFLAGS='-O1 -g' REPEAT='make $@$(AT_SCALE)'
 ADDRESS := -fsanitize=address -fno-omit-frame-pointer
 UNDEFINED := -fsanitize=undefined,float-cast-overflow -fno-sanitize-recover=all
 asan: deps
@@ -191,5 +212,8 @@ DEBIAN_PACKAGES := gcc g++ make pkg-config libc6-dev libgomp1 libfftw3-dev libop
     openimageio-tools gnuplot-nox libjansson-dev libcmocka-dev libgsl-dev libmpfr-dev
 deps:
 	@sh deps.sh $(DEBIAN_PACKAGES)
+
+# What a pattern rule makes on the way is kept, or the next run would compile it again.
+.SECONDARY: $(OBJECTS)
 
 -include $(OBJECTS:.o=.d)

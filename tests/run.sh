@@ -3,7 +3,8 @@
 #
 # run.sh TEST LOG: runs one test program and keeps what it prints, with its exit status last. With
 # T=word, a program whose own name has the word runs whole; the others run only the tests whose
-# names have it. One that does not end within TIMEOUT seconds is stopped and has failed.
+# names have it. One that does not end within TIMEOUT seconds is stopped and has failed. What failed
+# is printed, and last of all the command that repeats it: REPEAT with T=name.
 program=$1
 log=$2
 name=$(basename "$program")
@@ -23,9 +24,17 @@ echo "# exit $status" >>"$log"
 passed=$(grep -c '^ok ' "$log")
 skipped=$(grep -c '^not ok .*# SKIP' "$log") # so cmocka writes it
 failed=$(($(grep -c '^not ok ' "$log") - skipped))
-if [ "$status" -ne 0 ]; then
+if [ "$status" -ne 0 ] || [ "$failed" -gt 0 ]; then
+    # A program that died has no failed test to name.
+    if [ "$failed" -gt 0 ]; then
+        sed -n '/# SKIP/d; s/^not ok [0-9]* - //p' "$log"
+    else
+        echo "$name"
+    fi | sed "s/^/repeat: ${REPEAT:-make check} T=/" >"$log.repeat"
+    cat "$log.repeat" >>"$log"
+    rm "$log.repeat"
     printf '%-28s FAILED (%s passed, %s failed, exit %s)\n' "$name" "$passed" "$failed" "$status"
-    sed 's/^/    /' "$log"
+    sed '/^repeat: /!s/^/    /' "$log"
 elif [ "$skipped" -gt 0 ]; then
     printf '%-28s %s passed, %s skipped\n' "$name" "$passed" "$skipped"
 elif [ "$passed" -gt 0 ]; then
