@@ -291,8 +291,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         return bl_score_no_memory(result, message);
 #pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)
     for (size_t i = 0; i < lines; i++)
-        scan(signal, &look, i, bl_score_random(settings, BL_SCORE_STREAM_CONTINUITY, i),
-             found + i * CANDIDATES);
+        scan(signal, &look, i, bl_score_random(settings, "continuity", i), found + i * CANDIDATES);
     summary s = summarise(found, lines * CANDIDATES);
     judge(signal, &s, &look, result);
     free(found);

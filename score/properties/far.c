@@ -167,8 +167,7 @@ static bl_status variance_ratio(const bl_signal *signal, const bl_score_settings
         return bl_score_no_memory(result, message);
 #pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic, 8)
     for (size_t i = 0; i < count; i++)
-        take(signal, look, bl_score_random(settings, BL_SCORE_STREAM_FAR, 1000 + i), &room[i],
-             &room[count + i]);
+        take(signal, look, bl_score_random(settings, "far", 1000 + i), &room[i], &room[count + i]);
     *shown = bl_ratio_estimate(room + count, room, count, settings->level);
     *judged = bl_ratio_estimate_missing(room + count, room, count, settings->alpha);
     free(room);
@@ -209,9 +208,8 @@ static summary summarise(const bl_signal *signal, const bl_score_settings *setti
     const int threads = bl_thread_count(settings->threads);
 #pragma omp parallel for num_threads(threads) schedule(dynamic)
     for (unsigned n = 0; n < NEAR * axes; n++)
-        close[n / axes][n % axes] =
-            view_of(signal, 7.0 * (n / axes) - 7, n % axes, look->cell,
-                    bl_score_random(settings, BL_SCORE_STREAM_FAR, n % axes));
+        close[n / axes][n % axes] = view_of(signal, 7.0 * (n / axes) - 7, n % axes, look->cell,
+                                            bl_score_random(settings, "far", n % axes));
     double near = 1;
     for (unsigned axis = 0; axis < axes; axis++) {
         double best = 0;
@@ -223,7 +221,7 @@ static summary summarise(const bl_signal *signal, const bl_score_settings *setti
     for (unsigned n = 0; n < (SCALES + 2) * axes; n++)
         views[n / axes][n % axes] =
             best_view(signal, scale_of((int)(n / axes)), n % axes, look->cell,
-                      bl_score_random(settings, BL_SCORE_STREAM_FAR, n % axes), 0.5 * near);
+                      bl_score_random(settings, "far", n % axes), 0.5 * near);
     // A staircase has more steps in one cell than in the next.
     least = near < 0.9 ? fmin(least, 0.5) : least;
     for (unsigned i = 0; i < SCALES + 2; i++) {

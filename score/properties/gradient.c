@@ -169,7 +169,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     if (places && error) {
 #pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic, 8)
         for (size_t i = 0; i < count; i++)
-            take(signal, &look, bl_score_random(settings, BL_SCORE_STREAM_GRADIENT, i), &places[i]);
+            take(signal, &look, bl_score_random(settings, "gradient", i), &places[i]);
         judge(places, count, look.dimensions, error, result);
     }
     bl_status status = places && error ? BL_OK : bl_score_no_memory(result, message);

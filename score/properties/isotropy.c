@@ -288,8 +288,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     if (batches && room) {
 #pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic, 4)
         for (size_t i = 0; i < count; i++)
-            take(signal, &d, &look, rows, plan, i,
-                 bl_score_random(settings, BL_SCORE_STREAM_ISOTROPY, i), &batches[i]);
+            take(signal, &d, &look, rows, plan, i, bl_score_random(settings, "isotropy", i),
+                 &batches[i]);
         judge(signal, batches, count, &d, settings, room, result);
         if (result->verdict != BL_VERDICT_NOT_RUN)
             bl_score_add_rings(signal, settings, &look, result);

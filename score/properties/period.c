@@ -53,7 +53,7 @@ static void choose_place(const walk *w, bl_random *random, double at[BL_AXES]) {
 
 // Whether the signal is so nearly constant that no shift could be told from a repeat.
 static int is_nearly_constant(const walk *w) {
-    bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 1 + w->axis);
+    bl_random random = bl_score_random(w->settings, "period", 1 + w->axis);
     double first = 0;
     int different = 0;
     for (int i = 0; i < CONSTANT_PLACES && different < DIFFERENT; i++) {
@@ -83,7 +83,7 @@ static double change_by_rounding(const walk *w, const double at[BL_AXES]) {
 
 // Whether the signal is the same after `shift` cells.
 static int repeats(const walk *w, double shift) {
-    bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 1 + w->axis);
+    bl_random random = bl_score_random(w->settings, "period", 1 + w->axis);
     double first = 0, near = EQUAL * w->look->range;
     int different = 0;
     for (int i = 0; i < MOST_PLACES; i++) {
@@ -104,7 +104,7 @@ static int repeats(const walk *w, double shift) {
 
 // Whether the float points repeat too.
 static int points_repeat(const walk *w, double shift) {
-    bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 10 + w->axis);
+    bl_random random = bl_score_random(w->settings, "period", 10 + w->axis);
     double column[BL_AXES][2 * EQUAL_PLACES];
     float value[2 * EQUAL_PLACES];
     int equal = 1;
@@ -129,7 +129,7 @@ static int points_repeat(const walk *w, double shift) {
 
 // The smallest repeat in a row of cells; 0: none; -1: out of memory.
 static double walk_cells(const walk *w, size_t cells) {
-    bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 20);
+    bl_random random = bl_score_random(w->settings, "period", 20);
     double start[BL_AXES], step[BL_AXES] = {0}, found = 0;
     float *value = malloc((cells + 1) * sizeof *value);
     if (!value)
@@ -213,7 +213,7 @@ static bl_status measure_line(const walk *w, double p, strongest *best, bl_messa
     float *row = malloc(size * sizeof *row);
     if (buffer && window && row) {
         double start[BL_AXES] = {0}, step[BL_AXES] = {0}, mean = 0, total = 0;
-        bl_random random = bl_score_random(w->settings, BL_SCORE_STREAM_PERIOD, 30 + w->axis);
+        bl_random random = bl_score_random(w->settings, "period", 30 + w->axis);
         bl_window_fill(BL_WINDOW_BLACKMAN_HARRIS, size, window);
         for (unsigned a = 0; a < w->look->dimensions; a++)
             start[a] =

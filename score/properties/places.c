@@ -2,11 +2,27 @@
 #include "score/properties/places.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { LOOKS = 1024, FRESH = 9, FRESH_LOOKS = 32 };
 
-bl_random bl_score_random(const bl_score_settings *settings, unsigned property, uint64_t stream) {
-    return bl_random_seed(settings->seed, ((uint64_t)property << 24) + stream);
+// The blocks of 2^24 streams that were given out first, by number; every other name has the block of
+// its hash (FNV-1a), which is none of these.
+static uint64_t block_of(const char *property) {
+    static const char *const first[] = {"look",  "period", "stationarity", "isotropy", "continuity",
+                                        "seeds", "far",    "gradient",     "fresh"};
+    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    for (size_t i = 0; i < sizeof first / sizeof *first; i++)
+        if (strcmp(first[i], property) == 0)
+            return (i + 1) << 24;
+    for (const char *c = property; *c; c++)
+        hash = (hash ^ (unsigned char)*c) * UINT64_C(0x100000001b3);
+    return hash << 24;
+}
+
+bl_random bl_score_random(const bl_score_settings *settings, const char *property,
+                          uint64_t stream) {
+    return bl_random_seed(settings->seed, block_of(property) + stream);
 }
 
 int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *settings,
@@ -15,7 +31,7 @@ int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *s
     double cell = signal->facts.cell > 0 ? signal->facts.cell : 1, column[BL_AXES][LOOKS];
     float value[LOOKS];
     bl_moments moments = {.n = 0};
-    bl_random random = bl_score_random(settings, BL_SCORE_STREAM_LOOK, 0);
+    bl_random random = bl_score_random(settings, "look", 0);
     *look = (bl_score_look){.dimensions = signal->dimensions, .cell = cell, .finest = cell};
     // The fraction within the finest cell is what is lost at facts.far, which is 2^52 such cells.
     if (signal->facts.cell > 0 && signal->facts.far > 0)
@@ -79,7 +95,7 @@ int bl_score_varies(const bl_signal *signal, const bl_score_settings *settings,
     if (signal->seed_offset == SIZE_MAX || signal->extent.size[0])
         return 1;
     for (int i = 0; i < FRESH; i++) {
-        bl_random random = bl_score_random(settings, BL_SCORE_STREAM_FRESH, (uint64_t)i);
+        bl_random random = bl_score_random(settings, "fresh", (uint64_t)i);
         bl_signal *fresh = bl_signal_reseed(signal, bl_random_bits(&random));
         double value;
         if (!fresh)

@@ -15,19 +15,9 @@
 #include "core/random.h"
 #include "score/score.h"
 
-// The streams of settings->seed: one block of 2^24 a property, so that none moves another.
-enum {
-    BL_SCORE_STREAM_LOOK = 1,
-    BL_SCORE_STREAM_PERIOD,
-    BL_SCORE_STREAM_STATIONARITY,
-    BL_SCORE_STREAM_ISOTROPY,
-    BL_SCORE_STREAM_CONTINUITY,
-    BL_SCORE_STREAM_SEEDS,
-    BL_SCORE_STREAM_FAR,
-    BL_SCORE_STREAM_GRADIENT,
-    BL_SCORE_STREAM_FRESH
-};
-bl_random bl_score_random(const bl_score_settings *settings, unsigned property, uint64_t stream);
+// Random numbers of settings->seed for a property, by its name: streams 0 to 2^24 - 1 of its own, so
+// that no property moves another.
+bl_random bl_score_random(const bl_score_settings *settings, const char *property, uint64_t stream);
 
 typedef struct bl_score_look {
     unsigned dimensions;

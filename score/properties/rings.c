@@ -42,7 +42,7 @@ void bl_score_add_rings(const bl_signal *signal, const bl_score_settings *settin
     slice.averages = AVERAGES;
     slice.level = settings->level;
     slice.threads = settings->threads;
-    bl_random random = bl_score_random(settings, BL_SCORE_STREAM_ISOTROPY, 1 << 20);
+    bl_random random = bl_score_random(settings, "isotropy", 1 << 20);
     for (int run = 0; run < RUNS; run++) {
         double sum[OCTAVES + 1] = {0}, total[OCTAVES + 1] = {0};
         bl_psd psd;

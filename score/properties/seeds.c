@@ -290,7 +290,7 @@ static int run(const survey *s, const bl_score_settings *settings, int has_more,
 #pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)
         for (size_t j = 0; j < s->seeds; j++) {
             const bl_signal *signal = s->signal;
-            bl_random random = bl_score_random(settings, BL_SCORE_STREAM_SEEDS, j);
+            bl_random random = bl_score_random(settings, "seeds", j);
             uint64_t seed = bl_random_bits(&random);
             if (j == 0)
                 memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);

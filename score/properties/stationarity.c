@@ -296,7 +296,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     if (batches && room) {
 #pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic, 8)
         for (size_t i = 0; i < count; i++)
-            take(&s, bl_score_random(settings, BL_SCORE_STREAM_STATIONARITY, i), &batches[i]);
+            take(&s, bl_score_random(settings, "stationarity", i), &batches[i]);
         centre(&s, batches, count);
         judge(&s, batches, count, settings, room, result);
     }
