@@ -159,7 +159,7 @@ bl_status bl_spectral_csv(bl_call *call, const bl_signal *signal, const bl_psd *
     return bl_csv_close(call, &file);
 }
 
-// What of an image or a volume was measured: ", all 32 rows of the image", ", 3 tiles ...".
+// What of an image or a volume was measured: ", all 32 rows of the image", ", 3 patches ...".
 static void print_pieces(FILE *out, const bl_signal *signal, const bl_psd_settings *used) {
     const size_t *size = signal->extent.size;
     unsigned along = used->axis[0] != 0 ? 0 : used->axis[1] != 0 ? 1 : 2;
@@ -177,8 +177,8 @@ static void print_pieces(FILE *out, const bl_signal *signal, const bl_psd_settin
     else if (used->dims == 1)
         fprintf(out, ", %zu segment%s of the %ss of the %s\n", used->averages, plural, word, thing);
     else
-        fprintf(out, ", %zu tile%s that span%s the %s\n", used->averages, plural,
-                used->averages == 1 ? "s" : "", thing);
+        fprintf(out, ", %zu patch%s the %s\n", used->averages,
+                used->averages == 1 ? " that spans" : "es that span", thing);
 }
 
 static size_t find_peak(const bl_psd *psd) {

@@ -202,7 +202,8 @@ const bl_verb bl_verb_spectrum = {
     .text =
         "Averages windowed periodograms over independent random places and fresh seeds, and "
         "compares them with the closed form where the signal states one, seen through the same "
-        "window. An image is measured on its own samples: along its rows or columns, or in tiles. "
+        "window. An image is measured on its own samples: along its rows or columns, or in "
+        "patches. "
         "Frequencies are in cycles per unit, which is a lattice cell for a noise.",
     .least = 1,
     .most = 1,

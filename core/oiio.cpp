@@ -334,7 +334,7 @@ class Pixels {
 
 // The parameter block of the signal.
 struct Block {
-    bl_sampled_tile tile;
+    bl_sampled_grid grid;
     Pixels *pixels; // owned; released by image_release
 };
 
@@ -349,11 +349,11 @@ extern "C" void image_span(const void *source, const size_t index[BL_AXES], size
 
 extern "C" void image_row(const void *parameters, const double start[BL_AXES],
                           const double step[BL_AXES], size_t count, float *out) {
-    bl_sampled_tile_row(&static_cast<const Block *>(parameters)->tile, start, step, count, out);
+    bl_sampled_grid_row(&static_cast<const Block *>(parameters)->grid, start, step, count, out);
 }
 
 extern "C" double image_value(const void *parameters, const double at[BL_AXES]) {
-    return bl_sampled_tile_value(&static_cast<const Block *>(parameters)->tile, at);
+    return bl_sampled_grid_value(&static_cast<const Block *>(parameters)->grid, at);
 }
 
 extern "C" void image_points(const void *parameters, const double *const at[BL_AXES], size_t count,
@@ -504,20 +504,20 @@ bl_status make_signal(const bl_image_source &source, double spacing, std::unique
                       bl_signal **out, bl_message *message) {
     Block block = {};
     block.pixels = pixels.get();
-    block.tile.dims = 2;
-    block.tile.size[0] = pixels->width;
-    block.tile.size[1] = pixels->height;
-    block.tile.size[2] = block.tile.size[3] = 1;
-    block.tile.spacing = spacing;
-    block.tile.wrap = source.wrap;
-    block.tile.reading = source.reading;
-    block.tile.span = image_span;
-    block.tile.source = pixels.get();
+    block.grid.dims = 2;
+    block.grid.size[0] = pixels->width;
+    block.grid.size[1] = pixels->height;
+    block.grid.size[2] = block.grid.size[3] = 1;
+    block.grid.spacing = spacing;
+    block.grid.wrap = source.wrap;
+    block.grid.reading = source.reading;
+    block.grid.span = image_span;
+    block.grid.source = pixels.get();
     bl_signal *signal = bl_signal_new(&image_functions, &block, sizeof block, source.text);
     if (!signal)
         return bl_report(message, BL_DEVICE, "out of memory opening '%s'", source.path);
     signal->name = "image";
-    bl_sampled_tile_describe(&block.tile, signal);
+    bl_sampled_grid_describe(&block.grid, signal);
     (void)pixels.release(); // the signal owns it now
     *out = signal;
     return BL_OK;

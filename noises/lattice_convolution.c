@@ -230,20 +230,20 @@ static void open_columns(lattice_columns *columns, const axis_row *row) {
     }
 }
 
-static void fill_tile(const void *context, int64_t tile, int part, radial_tile *impulses) {
+static void fill_quad(const void *context, int64_t quad, int part, radial_quad *impulses) {
     const lattice_columns *columns = context;
     const lane_keys *key[3] = {&columns->key[0], &columns->key[1], &columns->key[2]};
     (void)part;
     impulses->columns = LANES;
     impulses->impulses = 1;
-    for (int s = 0; s < TILE_CELLS; s++) {
+    for (int s = 0; s < QUAD_CELLS; s++) {
         lane_keys along;
-        uint64_t cell = (uint64_t)tile * TILE_CELLS + (uint64_t)s;
+        uint64_t cell = (uint64_t)quad * QUAD_CELLS + (uint64_t)s;
         bl_lattice_key one = lane_key(columns->numbers, columns->axis, cell);
         for (int l = 0; l < LANES; l++) {
             along.add[l] = one.add;
             along.exclusive[l] = one.exclusive;
-            impulses->along[s * LANES + l] = (float)(s - TILE_CELLS / 2);
+            impulses->along[s * LANES + l] = (float)(s - QUAD_CELLS / 2);
             impulses->square[s * LANES + l] = columns->square[l];
         }
         key[columns->axis] = &along;
@@ -256,7 +256,7 @@ static void row_along_axis(const cell_numbers *numbers, const axis_row *row, siz
     lattice_columns columns = {.numbers = numbers, .axis = row->axis};
     open_columns(&columns, row);
     radial_line line = {.row = row,
-                        .fill = fill_tile,
+                        .fill = fill_quad,
                         .context = &columns,
                         .parts = 1,
                         .scale = (float)(BL_LATTICE_UNIT / 2)};
@@ -271,7 +271,7 @@ static void row(const void *block, const double start[BL_AXES], const double ste
     find_inside(start, step, count, &from, &to);
     if (p->kernel == KERNEL_EXACT && from < to &&
         axis_row_open(&along, start, step, from, to - from) &&
-        tiles_repeat(&p->lattice, along.axis)) {
+        quads_repeat(&p->lattice, along.axis)) {
         cell_numbers numbers;
         cell_numbers_open(&numbers, &p->lattice);
         row_along_axis(&numbers, &along, to - from, out + from);

@@ -250,7 +250,7 @@ static void row(const void *block, const double start[BL_AXES], const double ste
     find_inside(start, step, count, &from, &to);
     if (p->kernel != KERNEL_TABLE && from < to &&
         axis_row_open(&along, start, step, from, to - from) &&
-        tiles_repeat(&p->lattice, along.axis))
+        quads_repeat(&p->lattice, along.axis))
         row_inside(p, &along, to - from, out + from);
     else
         to = from;

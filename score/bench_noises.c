@@ -2,7 +2,7 @@
 //
 // The benchmark of the noises: rows along each axis and scattered points, against plain loops
 // (the textbook's, or for other settings than the default the reference) at the same places, and
-// the error of the very kernels that were timed.
+// the error of the very loops that were timed.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,17 +13,17 @@
 
 enum { SAMPLES = 4096, ERROR_SAMPLES = 512 };
 
-// One kernel at its places. A row has start and step; points have lists.
-typedef struct kernel_work {
+// One loop at its places. A row has start and step; points have lists.
+typedef struct loop_work {
     const bl_signal *signal;
     double start[BL_AXES], step[BL_AXES];
     const double *at[BL_AXES]; // NULL in a row
     size_t count;
     float *out;
-} kernel_work;
+} loop_work;
 
-static void run_kernel(void *user) {
-    kernel_work *work = user;
+static void run_loop(void *user) {
+    loop_work *work = user;
     if (work->at[0])
         bl_signal_points(work->signal, work->at, work->count, work->out);
     else
@@ -48,18 +48,18 @@ typedef struct bench_places {
 } bench_places;
 
 // The place of sample i, as the contract of a row states it.
-static double place_of(const kernel_work *work, size_t i, int axis) {
+static double place_of(const loop_work *work, size_t i, int axis) {
     return work->at[0] ? work->at[axis][i] : work->start[axis] + (double)i * work->step[axis];
 }
 
-// The largest error of the kernel where it is, and moved to other parts of space.
-static double kernel_error(const kernel_work *work) {
+// The largest error of the loop where it is, and moved to other parts of space.
+static double loop_error(const loop_work *work) {
     static const double bases[] = {0, 1e6, 1e9};
     static float out[ERROR_SAMPLES];
     static double moved[BL_AXES][ERROR_SAMPLES];
     double worst = 0;
     for (size_t b = 0; b < sizeof bases / sizeof *bases; b++) {
-        kernel_work here = *work;
+        loop_work here = *work;
         here.count = ERROR_SAMPLES;
         here.out = out;
         for (int a = 0; a < BL_AXES; a++) {
@@ -68,7 +68,7 @@ static double kernel_error(const kernel_work *work) {
                 moved[a][i] = work->at[a][i] + bases[b];
             here.at[a] = work->at[0] ? moved[a] : NULL;
         }
-        run_kernel(&here);
+        run_loop(&here);
         for (size_t i = 0; i < ERROR_SAMPLES; i++) {
             double at[BL_AXES];
             for (int a = 0; a < BL_AXES; a++)
@@ -80,8 +80,8 @@ static double kernel_error(const kernel_work *work) {
     return worst;
 }
 
-// Times one kernel, by turns with the plain loop.
-static int time_row(bl_bench *bench, bench_places *places, kernel_work *work,
+// Times one loop, by turns with the plain loop.
+static int time_row(bl_bench *bench, bench_places *places, loop_work *work,
                     float (*textbook)(float, float, float), bl_bench_row *row) {
     for (size_t i = 0; i < work->count; i++)
         for (int a = 0; a < BL_AXES; a++)
@@ -92,7 +92,7 @@ static int time_row(bl_bench *bench, bench_places *places, kernel_work *work,
         .at = {places->at_float[0], places->at_float[1], places->at_float[2], places->at_float[3]},
         .count = work->count,
         .out = places->textbook_out};
-    const bl_work works[] = {{run_kernel, work, NULL}, {bl_textbook_run, &plain, NULL}};
+    const bl_work works[] = {{run_loop, work, NULL}, {bl_textbook_run, &plain, NULL}};
     bl_time times[2] = {{.minimum = 0}, {.minimum = NAN, .median = NAN, .worst_block = NAN}};
     bl_bench_step(bench, "%s %s %s", row->signal, row->path, row->axis ? row->axis : "");
     row->against = textbook ? "textbook" : "reference";
@@ -100,7 +100,7 @@ static int time_row(bl_bench *bench, bench_places *places, kernel_work *work,
     row->candidate = times[0];
     row->yardstick = times[1];
     row->samples = work->count;
-    row->max_error = kernel_error(work);
+    row->max_error = loop_error(work);
     return bl_bench_add(bench, row);
 }
 
@@ -113,10 +113,10 @@ static int time_along_axes(bl_bench *bench, bench_places *places, const bl_signa
     static const char *const axes[] = {"x", "y", "z", "w"};
     for (size_t p = 0; p < sizeof paths / sizeof *paths; p++)
         for (unsigned a = 0; a < signal->dimensions; a++) {
-            kernel_work work = {.signal = signal,
-                                .start = {0.37, 0.61, 0.83, 0.29},
-                                .count = SAMPLES,
-                                .out = places->out};
+            loop_work work = {.signal = signal,
+                              .start = {0.37, 0.61, 0.83, 0.29},
+                              .count = SAMPLES,
+                              .out = places->out};
             row.path = paths[p].path;
             row.axis = axes[a];
             row.samples_per_cell = paths[p].samples_per_cell;
@@ -136,7 +136,7 @@ void bl_bench_scatter(int axes, double (*at)[BL_SCATTERED]) {
 
 static int time_scattered(bl_bench *bench, bench_places *places, const bl_signal *signal,
                           float (*textbook)(float, float, float), bl_bench_row row) {
-    kernel_work work = {.signal = signal, .count = BL_SCATTERED, .out = places->out};
+    loop_work work = {.signal = signal, .count = BL_SCATTERED, .out = places->out};
     bl_bench_scatter(BL_AXES, places->at);
     for (int a = 0; a < BL_AXES; a++)
         work.at[a] = places->at[a];

@@ -30,13 +30,13 @@
     {.key = "wrap",                                                                                \
      .kind = BL_CHOICE,                                                                            \
      .offset = offsetof(block, wrap),                                                              \
-     .choices = bl_sampled_tile_wrap_words,                                                        \
+     .choices = bl_sampled_grid_wrap_words,                                                        \
      .fallback = "none",                                                                           \
      .unit = "",                                                                                   \
      .help = "what stands beyond the edge"},                                                       \
     {                                                                                              \
         .key = "interp", .kind = BL_CHOICE, .offset = offsetof(block, reading),                    \
-        .choices = bl_sampled_tile_reading_words, .fallback = "nearest", .unit = "",               \
+        .choices = bl_sampled_grid_reading_words, .fallback = "nearest", .unit = "",               \
         .help = "what stands between the " samples                                                 \
     }
 

@@ -27,9 +27,9 @@ typedef struct raw_settings {
     uint32_t wrap, reading, type;
 } raw_settings;
 
-// The parameter block; the tile's source is `values`.
+// The parameter block; the grid's source is `values`.
 typedef struct raw_block {
-    bl_sampled_tile tile;
+    bl_sampled_grid grid;
     float *values; // owned
 } raw_block;
 
@@ -64,36 +64,36 @@ static const bl_parameter raw_parameters[] = {
 
 static void raw_span(const void *source, const size_t index[BL_AXES], size_t count, float *out) {
     const raw_block *block = source;
-    const size_t *size = block->tile.size;
+    const size_t *size = block->grid.size;
     size_t line = (index[3] * size[2] + index[2]) * size[1] + index[1];
     memcpy(out, block->values + line * size[0] + index[0], count * sizeof *out);
 }
 
-// The signal keeps a copy of the block, so the tile is told where that is at each use.
-static bl_sampled_tile own_tile(const void *parameters) {
-    bl_sampled_tile tile = ((const raw_block *)parameters)->tile;
-    tile.source = parameters;
-    return tile;
+// The signal keeps a copy of the block, so the grid is told where that is at each use.
+static bl_sampled_grid own_grid(const void *parameters) {
+    bl_sampled_grid grid = ((const raw_block *)parameters)->grid;
+    grid.source = parameters;
+    return grid;
 }
 
 static void raw_row(const void *parameters, const double start[BL_AXES], const double step[BL_AXES],
                     size_t count, float *out) {
-    bl_sampled_tile tile = own_tile(parameters);
-    bl_sampled_tile_row(&tile, start, step, count, out);
+    bl_sampled_grid grid = own_grid(parameters);
+    bl_sampled_grid_row(&grid, start, step, count, out);
 }
 
 static void raw_points(const void *parameters, const double *const at[BL_AXES], size_t count,
                        float *out) {
-    bl_sampled_tile tile = own_tile(parameters);
+    bl_sampled_grid grid = own_grid(parameters);
     for (size_t i = 0; i < count; i++) {
         const double place[BL_AXES] = {at[0][i], at[1][i], at[2][i], at[3][i]};
-        out[i] = (float)bl_sampled_tile_value(&tile, place);
+        out[i] = (float)bl_sampled_grid_value(&grid, place);
     }
 }
 
 static double raw_value(const void *parameters, const double at[BL_AXES]) {
-    bl_sampled_tile tile = own_tile(parameters);
-    return bl_sampled_tile_value(&tile, at);
+    bl_sampled_grid grid = own_grid(parameters);
+    return bl_sampled_grid_value(&grid, at);
 }
 
 static void raw_release(void *parameters) {
@@ -106,20 +106,20 @@ static const bl_signal_functions raw_functions = {
 // --- opening ---
 
 // Reads 128x128x128; in doubles, so that no product wraps.
-static bl_status read_size(const char *text, const char *word, bl_sampled_tile *tile,
+static bl_status read_size(const char *text, const char *word, bl_sampled_grid *grid,
                            double *samples, bl_message *message) {
     char copy[BL_TEXT_SIZE], *rest = NULL;
     *samples = 1;
     snprintf(copy, sizeof copy, "%s", word);
     for (unsigned a = 0; a < BL_AXES; a++)
-        tile->size[a] = 1;
+        grid->size[a] = 1;
     int good = *word && word[strlen(word) - 1] != 'x' && *word != 'x' && !strstr(word, "xx");
     for (char *one = strtok_r(copy, "x", &rest); one && good; one = strtok_r(NULL, "x", &rest)) {
         unsigned long long number;
-        good = tile->dims < BL_AXES && bl_read_unsigned(one, &number) && number > 0 &&
+        good = grid->dims < BL_AXES && bl_read_unsigned(one, &number) && number > 0 &&
                number <= (1ull << 31);
         if (good) {
-            tile->size[tile->dims++] = (size_t)number;
+            grid->size[grid->dims++] = (size_t)number;
             *samples *= (double)number;
         }
     }
@@ -226,7 +226,7 @@ static bl_status read_file(const char *path, const raw_settings *settings, raw_b
 bl_status bl_raw_open(const char *text, bl_signal **signal, bl_message *message) {
     const char *colon = strchr(text, ':');
     raw_settings settings = {0};
-    raw_block block = {.tile = {.span = raw_span}};
+    raw_block block = {.grid = {.span = raw_span}};
     double samples;
     bl_status status = bl_source_settings(raw_parameters, text, colon ? colon + 1 : NULL,
                                           colon ? strlen(colon + 1) : 0, &settings, message);
@@ -234,12 +234,12 @@ bl_status bl_raw_open(const char *text, bl_signal **signal, bl_message *message)
         status = bl_report(message, BL_USAGE, "'%s': spacing=%g: units between samples are above 0",
                            text, settings.spacing);
     if (status == BL_OK)
-        status = read_size(text, settings.size, &block.tile, &samples, message);
+        status = read_size(text, settings.size, &block.grid, &samples, message);
     if (status != BL_OK)
         return status;
-    block.tile.spacing = settings.spacing;
-    block.tile.wrap = settings.wrap;
-    block.tile.reading = settings.reading;
+    block.grid.spacing = settings.spacing;
+    block.grid.wrap = settings.wrap;
+    block.grid.reading = settings.reading;
     char *path = colon ? strndup(text, (size_t)(colon - text)) : strdup(text);
     if (!path)
         return bl_report(message, BL_DEVICE, "out of memory opening '%s'", text);
@@ -253,7 +253,7 @@ bl_status bl_raw_open(const char *text, bl_signal **signal, bl_message *message)
         return bl_report(message, BL_DEVICE, "out of memory opening '%s'", text);
     }
     made->name = "raw";
-    bl_sampled_tile_describe(&block.tile, made);
+    bl_sampled_grid_describe(&block.grid, made);
     *signal = made;
     return BL_OK;
 }

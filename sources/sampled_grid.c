@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-const char *const bl_sampled_tile_wrap_words[] = {"none", "periodic", "mirror", NULL};
-const char *const bl_sampled_tile_reading_words[] = {"nearest", "linear", "catmull-rom", NULL};
+const char *const bl_sampled_grid_wrap_words[] = {"none", "periodic", "mirror", NULL};
+const char *const bl_sampled_grid_reading_words[] = {"nearest", "linear", "catmull-rom", NULL};
 
 enum { TAPS = 4 };
 
@@ -24,20 +24,20 @@ static size_t sample_index(double place, size_t size, uint32_t wrap) {
 }
 
 // The samples around a coordinate and their weights along one axis; those of weight 0 are left out,
-// so that the last sample of a tile needs no neighbour. Zero if there is no value.
-static unsigned axis_taps(const bl_sampled_tile *tile, unsigned axis, double coordinate,
+// so that the last sample of a grid needs no neighbour. Zero if there is no value.
+static unsigned axis_taps(const bl_sampled_grid *grid, unsigned axis, double coordinate,
                           size_t index[TAPS], double weight[TAPS]) {
-    double place = coordinate / tile->spacing;
-    if (!isfinite(place) || (tile->wrap != BL_WRAP_NONE && fabs(coordinate) > FARTHEST))
+    double place = coordinate / grid->spacing;
+    if (!isfinite(place) || (grid->wrap != BL_WRAP_NONE && fabs(coordinate) > FARTHEST))
         return 0;
     double first, weights[TAPS] = {1};
     unsigned wanted = 1, count = 0;
-    if (tile->reading == BL_READ_NEAREST) {
+    if (grid->reading == BL_READ_NEAREST) {
         first = floor(place + 0.5);
     } else {
         first = floor(place);
         double t = place - first, t2 = t * t, t3 = t2 * t;
-        if (tile->reading == BL_READ_LINEAR) {
+        if (grid->reading == BL_READ_LINEAR) {
             wanted = 2;
             weights[0] = 1 - t;
             weights[1] = t;
@@ -53,7 +53,7 @@ static unsigned axis_taps(const bl_sampled_tile *tile, unsigned axis, double coo
     for (unsigned i = 0; i < wanted; i++) {
         if (weights[i] == 0)
             continue;
-        index[count] = sample_index(first + i, tile->size[axis], tile->wrap);
+        index[count] = sample_index(first + i, grid->size[axis], grid->wrap);
         if (index[count] == SIZE_MAX)
             return 0;
         weight[count++] = weights[i];
@@ -61,14 +61,14 @@ static unsigned axis_taps(const bl_sampled_tile *tile, unsigned axis, double coo
     return count;
 }
 
-double bl_sampled_tile_value(const bl_sampled_tile *tile, const double at[BL_AXES]) {
+double bl_sampled_grid_value(const bl_sampled_grid *grid, const double at[BL_AXES]) {
     size_t index[BL_AXES][TAPS] = {{0}};
     double weight[BL_AXES][TAPS], sum = 0;
     unsigned taps[BL_AXES] = {1, 1, 1, 1}, total = 1;
     for (unsigned a = 0; a < BL_AXES; a++) {
         weight[a][0] = 1;
-        if (a < tile->dims)
-            taps[a] = axis_taps(tile, a, at[a], index[a], weight[a]);
+        if (a < grid->dims)
+            taps[a] = axis_taps(grid, a, at[a], index[a], weight[a]);
         total *= taps[a];
     }
     if (total == 0)
@@ -81,7 +81,7 @@ double bl_sampled_tile_value(const bl_sampled_tile *tile, const double at[BL_AXE
             product *= weight[a][rest % taps[a]];
         }
         float sample = NAN;
-        tile->span(tile->source, place, 1, &sample);
+        grid->span(grid->source, place, 1, &sample);
         if (total == 1)
             return (double)sample;
         sum += product * (double)sample;
@@ -89,57 +89,57 @@ double bl_sampled_tile_value(const bl_sampled_tile *tile, const double at[BL_AXE
     return sum;
 }
 
-// Whether a row walks the samples one by one and stays within the tile; `first` is where it starts.
-static int is_span(const bl_sampled_tile *tile, const double start[BL_AXES],
+// Whether a row walks the samples one by one and stays within the grid; `first` is where it starts.
+static int is_span(const bl_sampled_grid *grid, const double start[BL_AXES],
                    const double step[BL_AXES], size_t count, size_t first[BL_AXES]) {
-    if (count == 0 || tile->reading != BL_READ_NEAREST || step[0] != tile->spacing)
+    if (count == 0 || grid->reading != BL_READ_NEAREST || step[0] != grid->spacing)
         return 0;
     for (unsigned a = 0; a < BL_AXES; a++) {
         first[a] = 0;
-        if (a >= tile->dims)
+        if (a >= grid->dims)
             continue;
         if (a > 0 && step[a] != 0)
             return 0;
-        first[a] = sample_index(floor(start[a] / tile->spacing + 0.5), tile->size[a], BL_WRAP_NONE);
+        first[a] = sample_index(floor(start[a] / grid->spacing + 0.5), grid->size[a], BL_WRAP_NONE);
         if (first[a] == SIZE_MAX)
             return 0;
     }
     double last = start[0] + (double)(count - 1) * step[0];
-    size_t end = sample_index(floor(last / tile->spacing + 0.5), tile->size[0], BL_WRAP_NONE);
+    size_t end = sample_index(floor(last / grid->spacing + 0.5), grid->size[0], BL_WRAP_NONE);
     return end != SIZE_MAX && end - first[0] == count - 1;
 }
 
-void bl_sampled_tile_row(const bl_sampled_tile *tile, const double start[BL_AXES],
+void bl_sampled_grid_row(const bl_sampled_grid *grid, const double start[BL_AXES],
                          const double step[BL_AXES], size_t count, float *out) {
     size_t first[BL_AXES];
-    if (is_span(tile, start, step, count, first)) {
-        tile->span(tile->source, first, count, out);
+    if (is_span(grid, start, step, count, first)) {
+        grid->span(grid->source, first, count, out);
         return;
     }
     for (size_t i = 0; i < count; i++) {
         double at[BL_AXES];
         for (unsigned a = 0; a < BL_AXES; a++)
             at[a] = start[a] + (double)i * step[a];
-        out[i] = (float)bl_sampled_tile_value(tile, at);
+        out[i] = (float)bl_sampled_grid_value(grid, at);
     }
 }
 
-void bl_sampled_tile_describe(const bl_sampled_tile *tile, bl_signal *signal) {
-    signal->dimensions = tile->dims;
-    int everywhere = tile->wrap != BL_WRAP_NONE;
+void bl_sampled_grid_describe(const bl_sampled_grid *grid, bl_signal *signal) {
+    signal->dimensions = grid->dims;
+    int everywhere = grid->wrap != BL_WRAP_NONE;
     for (unsigned a = 0; a < BL_AXES; a++) {
-        int exists = a < tile->dims;
-        if (exists && !(everywhere && tile->reading != BL_READ_NEAREST)) {
-            signal->extent.size[a] = tile->size[a];
-            signal->extent.spacing[a] = tile->spacing;
+        int exists = a < grid->dims;
+        if (exists && !(everywhere && grid->reading != BL_READ_NEAREST)) {
+            signal->extent.size[a] = grid->size[a];
+            signal->extent.spacing[a] = grid->spacing;
         }
         if (everywhere)
-            signal->facts.period[a] = exists ? (double)tile->size[a] * tile->spacing *
-                                                   (tile->wrap == BL_WRAP_MIRROR ? 2 : 1)
+            signal->facts.period[a] = exists ? (double)grid->size[a] * grid->spacing *
+                                                   (grid->wrap == BL_WRAP_MIRROR ? 2 : 1)
                                              : 0;
     }
     if (everywhere) {
-        signal->facts.cell = tile->spacing;
-        signal->facts.continuity = (int)tile->reading - 1; // discontinuous, C0, C1
+        signal->facts.cell = grid->spacing;
+        signal->facts.continuity = (int)grid->reading - 1; // discontinuous, C0, C1
     }
 }

@@ -20,7 +20,7 @@
 //   part=INDEX          which part of a multi-part file, which is refused without it
 //   memory=MIB          how much of the image is held in memory (default 1024); a larger image is
 //                       read in blocks through a cache of that size
-//   wrap=none|periodic|mirror       beyond the edge: NaN, the tile again, or its mirror image
+//   wrap=none|periodic|mirror       beyond the edge: NaN, the samples again, or their mirror image
 //   interp=nearest|linear|catmull-rom  between the pixels: the nearest, linear, Catmull-Rom (C1)
 //
 // Values are those of the file: floats and halves as they are, integers divided by their full
@@ -29,7 +29,7 @@
 // outside of the image, unless wrap and interp say otherwise. The whole image is read once while
 // opening, so a truncated or corrupt file is refused there and not in the middle of a measurement.
 //
-// A tile is measured on its own samples, each once, whether it is wrapped or not: random places at
+// A grid is measured on its own samples, each once, whether it is wrapped or not: random places at
 // another rate would alias. Only one that is wrapped and interpolated is a function like any other,
 // measured at random places; its spectrum shows the interpolation too (sources/sampled_grid.h).
 //

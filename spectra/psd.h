@@ -9,7 +9,7 @@
 // corners beyond the Nyquist circle. Everything else is computed from the profiles.
 //
 // A signal with a grid (an image) is measured on its own samples: averages are segments (lines) or
-// tiles (slices) that overlap by at most half and span the whole grid; there are as many as fit,
+// patches (slices) that overlap by at most half and span the whole grid; there are as many as fit,
 // and at most as many as asked for.
 //
 // Lines are transformed in double, slices and volumes in float. The same settings give the same
@@ -34,7 +34,7 @@ typedef struct bl_psd_settings {
     unsigned dims;   // 1 line, 2 slice, 3 volume
     double rate;     // samples per unit; 0: from the signal's grid, or 16, 8, 4 by dims
     size_t size;     // samples along each axis; 0: from the grid, or 2048, 512, 64 by dims
-    size_t averages; // 0: 256, 16, 8 by dims; of a grid: 256 lines at most, all tiles. A grid may
+    size_t averages; // 0: 256, 16, 8 by dims; of a grid: 256 lines at most, all patches. A grid may
                      // have fewer than asked for; the settings of a result say how many were taken
     bl_window window;
     double axis[3]; // direction of the line; normal of the slice; unused for a volume

@@ -21,9 +21,9 @@ typedef struct bl_sampler {
     double directions[3][BL_AXES]; // orthonormal
     double spacing;                // units between samples: 1/rate
     int on_grid;
-    size_t tiles[BL_AXES];       // on a grid: averages along each axis
-    size_t tile_length[BL_AXES]; // samples of a tile along each axis
-    double overlap;              // variance factor of overlapped tiles of white noise
+    size_t patches[BL_AXES];      // on a grid: averages along each axis
+    size_t patch_length[BL_AXES]; // samples of a patch along each axis
+    double overlap;               // variance factor of overlapped patches of white noise
 } bl_sampler;
 
 // Checks and resolves the settings for this signal.

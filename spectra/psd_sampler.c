@@ -114,7 +114,7 @@ static bl_status find_span(bl_sampler *sampler, int spanned[BL_AXES], size_t *sh
 }
 
 // Lines: what fits, up to the default. Slices and volumes: all of it for one average, else half of
-// it, so that overlapped tiles give averages to judge the spread by.
+// it, so that overlapped patches give averages to judge the spread by.
 static size_t grid_size(const bl_psd_settings *settings, size_t shortest) {
     size_t size = shortest;
     if (settings->dims == 1 && size > default_size[1])
@@ -124,34 +124,34 @@ static size_t grid_size(const bl_psd_settings *settings, size_t shortest) {
     return size / 2 * 2;
 }
 
-// Tiles overlap by half, or less where they spread to span the whole grid. Averages above the
+// Patches overlap by half, or less where they spread to span the whole grid. Averages above the
 // wanted number are taken away first from the axes not transformed, where neighbours are alike.
-static void lay_tiles(bl_sampler *sampler, const int spanned[BL_AXES]) {
+static void lay_patches(bl_sampler *sampler, const int spanned[BL_AXES]) {
     const bl_extent *extent = &sampler->signal->extent;
     size_t size = sampler->settings.size, wanted = sampler->settings.averages, total = 1;
     if (wanted == 0)
         wanted = sampler->settings.dims == 1 ? default_averages[1] : SIZE_MAX;
     for (unsigned a = 0; a < BL_AXES; a++) {
-        sampler->tile_length[a] = spanned[a] ? size : 1;
-        sampler->tiles[a] = extent->size[a] ? extent->size[a] : 1;
+        sampler->patch_length[a] = spanned[a] ? size : 1;
+        sampler->patches[a] = extent->size[a] ? extent->size[a] : 1;
         if (spanned[a])
-            sampler->tiles[a] = (extent->size[a] - size) / ((size + 1) / 2) + 1;
-        total *= sampler->tiles[a];
+            sampler->patches[a] = (extent->size[a] - size) / ((size + 1) / 2) + 1;
+        total *= sampler->patches[a];
     }
     for (int round = 0; round < 2; round++)
         for (unsigned a = 0; a < BL_AXES; a++)
             if (total > wanted && spanned[a] == round) {
-                size_t others = total / sampler->tiles[a];
-                sampler->tiles[a] = wanted > others ? wanted / others : 1;
-                total = others * sampler->tiles[a];
+                size_t others = total / sampler->patches[a];
+                sampler->patches[a] = wanted > others ? wanted / others : 1;
+                total = others * sampler->patches[a];
             }
     sampler->settings.averages = total;
     for (unsigned a = 0; a < BL_AXES; a++)
-        if (spanned[a] && sampler->tiles[a] > 1) {
-            size_t tiles = sampler->tiles[a], shift = (extent->size[a] - size) / (tiles - 1);
+        if (spanned[a] && sampler->patches[a] > 1) {
+            size_t patches = sampler->patches[a], shift = (extent->size[a] - size) / (patches - 1);
             double factor = 1; // Welch 1967: the variance of a mean of correlated powers
-            for (size_t j = 1; j < tiles && j * shift < size; j++)
-                factor += 2 * (1 - (double)j / (double)tiles) *
+            for (size_t j = 1; j < patches && j * shift < size; j++)
+                factor += 2 * (1 - (double)j / (double)patches) *
                           bl_window_overlap(sampler->settings.window, size, j * shift);
             sampler->overlap *= factor;
         }
@@ -177,7 +177,7 @@ static bl_status open_on_grid(bl_sampler *sampler, bl_message *message) {
                          "%zu samples along each axis were asked for, and '%s' has %zu; give at "
                          "most %zu",
                          settings->size, name, shortest, shortest);
-    lay_tiles(sampler, spanned);
+    lay_patches(sampler, spanned);
     return BL_OK;
 }
 
@@ -230,26 +230,26 @@ size_t bl_sampler_samples(const bl_sampler *sampler) {
     return samples;
 }
 
-// Tile `index` of `tiles` on an axis: spread from end to end; rows stand in the middle of their
+// Patch `index` of `patches` on an axis: spread from end to end; rows stand in the middle of their
 // share.
-static size_t tile_start(size_t extent, size_t length, size_t tiles, size_t index) {
+static size_t patch_start(size_t extent, size_t length, size_t patches, size_t index) {
     if (length == 1)
-        return (size_t)(((double)index + 0.5) * (double)extent / (double)tiles);
-    if (tiles == 1)
+        return (size_t)(((double)index + 0.5) * (double)extent / (double)patches);
+    if (patches == 1)
         return (extent - length) / 2;
-    return index * ((extent - length) / (tiles - 1));
+    return index * ((extent - length) / (patches - 1));
 }
 
 static void start_on_grid(const bl_sampler *sampler, size_t average, double start[BL_AXES]) {
     const bl_extent *extent = &sampler->signal->extent;
     for (unsigned a = 0; a < BL_AXES; a++) {
-        size_t index = average % sampler->tiles[a];
-        average /= sampler->tiles[a];
+        size_t index = average % sampler->patches[a];
+        average /= sampler->patches[a];
         start[a] = 0;
         if (extent->size[a])
             start[a] =
-                extent->spacing[a] * (double)tile_start(extent->size[a], sampler->tile_length[a],
-                                                        sampler->tiles[a], index);
+                extent->spacing[a] * (double)patch_start(extent->size[a], sampler->patch_length[a],
+                                                         sampler->patches[a], index);
     }
 }
 

@@ -70,9 +70,9 @@ static inline int axis_row_open(axis_row *row, const double start[BL_AXES],
     return 1;
 }
 
-// Whether a row along an axis may be added up in tiles: a shift by the period must move tiles onto
-// tiles, even ones onto even ones, or the same place would be rounded in two ways.
-static inline int tiles_repeat(const bl_lattice_settings *lattice, int axis) {
+// Whether a row along an axis may be added up in quads: a shift by the period must move quads onto
+// quads, even ones onto even ones, or the same place would be rounded in two ways.
+static inline int quads_repeat(const bl_lattice_settings *lattice, int axis) {
     return lattice->period[axis] % 8 == 0;
 }
 

@@ -7,9 +7,9 @@
 // ends within a block of 16, the rest belongs to cells too far away and adds exactly 0. The lanes
 // are added in a fixed order.
 //
-// Positions are relative to the middle of the sample's tile. A sample reaches two cells into the
-// tiles beside its own, so each impulse is listed with two positions: for the samples of even tiles
-// and for those of odd tiles.
+// Positions are relative to the middle of the sample's quad. A sample reaches two cells into the
+// quads beside its own, so each impulse is listed with two positions: for the samples of even quads
+// and for those of odd quads.
 #ifndef BL_NOISES_IMPULSES_RADIAL_ROW_GATHER_H
 #define BL_NOISES_IMPULSES_RADIAL_ROW_GATHER_H
 
@@ -22,33 +22,33 @@
 #include "noises/impulses/radial_row_line.h"
 
 enum {
-    GATHER_TILES = 8,                                   // in the list, when it is full
-    GATHER_LIST = GATHER_TILES * TILE_MOST + 4 * LANES, // room for writes past the end
-    GATHER_MOST = 5 * TILE_CELLS + 1,                   // samples in a tile
+    GATHER_QUADS = 8,                                   // in the list, when it is full
+    GATHER_LIST = GATHER_QUADS * QUAD_MOST + 4 * LANES, // room for writes past the end
+    GATHER_MOST = 5 * QUAD_CELLS + 1,                   // samples in a quad
 };
 
 typedef struct gather_list {
-    float along[2][GATHER_LIST]; // from the middle of the even and of the odd tile
+    float along[2][GATHER_LIST]; // from the middle of the even and of the odd quad
     float square[GATHER_LIST], amplitude[GATHER_LIST];
-    int start[GATHER_TILES * TILE_CELLS + 1]; // of each cell
-    int tiles;
+    int start[GATHER_QUADS * QUAD_CELLS + 1]; // of each cell
+    int quads;
 } gather_list;
 
-// Appends the impulses of a tile within 2 of the row: writes each, and keeps it by advancing, since
+// Appends the impulses of a quad within 2 of the row: writes each, and keeps it by advancing, since
 // a branch would be guessed wrong.
-static void keep_near(gather_list *list, const radial_tile *tile, int odd) {
+static void keep_near(gather_list *list, const radial_quad *quad, int odd) {
     float *restrict along = list->along[odd], *restrict square = list->square;
     float *restrict amplitude = list->amplitude;
-    int *start = list->start + list->tiles++ * TILE_CELLS;
+    int *start = list->start + list->quads++ * QUAD_CELLS;
     size_t count = (size_t)start[0];
-    for (int s = 0; s < TILE_CELLS; s++) {
-        for (int n = 0; n < tile->impulses; n++) {
-            size_t from = (size_t)((n * TILE_CELLS + s) * tile->columns);
-            for (size_t i = from; i < from + (size_t)tile->columns; i++) {
-                along[count] = tile->along[i];
-                square[count] = tile->square[i];
-                amplitude[count] = tile->amplitude[i];
-                count += tile->square[i] < 4;
+    for (int s = 0; s < QUAD_CELLS; s++) {
+        for (int n = 0; n < quad->impulses; n++) {
+            size_t from = (size_t)((n * QUAD_CELLS + s) * quad->columns);
+            for (size_t i = from; i < from + (size_t)quad->columns; i++) {
+                along[count] = quad->along[i];
+                square[count] = quad->square[i];
+                amplitude[count] = quad->amplitude[i];
+                count += quad->square[i] < 4;
             }
         }
         start[s + 1] = (int)count;
@@ -59,40 +59,40 @@ static void keep_near(gather_list *list, const radial_tile *tile, int odd) {
     }
 }
 
-// The positions of a tile for the samples of the tiles beside it, `shift` cells on: first for the
-// tile before, then for the tile after. All of them, so that what a block of 16 reads beyond its
+// The positions of a quad for the samples of the quads beside it, `shift` cells on: first for the
+// quad before, then for the quad after. All of them, so that what a block of 16 reads beyond its
 // stretch stands where it is, too far away, however few the impulses are.
 static void place_for_neighbour(gather_list *list, int at, int odd, float shift) {
-    const int *start = list->start + at * TILE_CELLS;
+    const int *start = list->start + at * QUAD_CELLS;
     const float *restrict own = list->along[odd];
     float *restrict other = list->along[!odd];
-    for (int i = start[0]; i < start[TILE_CELLS]; i++)
+    for (int i = start[0]; i < start[QUAD_CELLS]; i++)
         other[i] = own[i] + shift;
 }
 
-// Keeps the last two tiles.
-static void drop_tiles(gather_list *list) {
-    int first = (list->tiles - 2) * TILE_CELLS, from = list->start[first];
-    size_t size = (size_t)(list->start[list->tiles * TILE_CELLS] - from) * sizeof(float);
+// Keeps the last two quads.
+static void drop_quads(gather_list *list) {
+    int first = (list->quads - 2) * QUAD_CELLS, from = list->start[first];
+    size_t size = (size_t)(list->start[list->quads * QUAD_CELLS] - from) * sizeof(float);
     for (int side = 0; side < 2; side++)
         memmove(list->along[side], list->along[side] + from, size);
     memmove(list->square, list->square + from, size);
     memmove(list->amplitude, list->amplitude + from, size);
-    for (int s = 0; s <= 2 * TILE_CELLS; s++)
+    for (int s = 0; s <= 2 * QUAD_CELLS; s++)
         list->start[s] = list->start[first + s] - from;
-    list->tiles = 2;
+    list->quads = 2;
 }
 
-static void append_tile(const radial_line *line, int64_t tile, int part, gather_list *list) {
-    radial_tile impulses;
-    int odd = (int)(tile & 1);
-    if (list->tiles == GATHER_TILES)
-        drop_tiles(list);
-    if (list->tiles >= 2) // the tile before the last is behind the next samples
-        place_for_neighbour(list, list->tiles - 2, odd, -TILE_CELLS);
-    line->fill(line->context, tile, part, &impulses);
+static void append_quad(const radial_line *line, int64_t quad, int part, gather_list *list) {
+    radial_quad impulses;
+    int odd = (int)(quad & 1);
+    if (list->quads == GATHER_QUADS)
+        drop_quads(list);
+    if (list->quads >= 2) // the quad before the last is behind the next samples
+        place_for_neighbour(list, list->quads - 2, odd, -QUAD_CELLS);
+    line->fill(line->context, quad, part, &impulses);
     keep_near(list, &impulses, odd);
-    place_for_neighbour(list, list->tiles - 1, odd, TILE_CELLS);
+    place_for_neighbour(list, list->quads - 1, odd, QUAD_CELLS);
 }
 
 // A stretch of the list as a sample sees it.
@@ -134,29 +134,29 @@ static inline __attribute__((always_inline)) void gather_two(const bl_profile pr
     memcpy(sum[1], second, sizeof second);
 }
 
-// The samples in a tile: those from index `from` on.
-typedef struct gather_tile {
+// The samples in a quad: those from index `from` on.
+typedef struct gather_quad {
     int samples;
-    int cell[GATHER_MOST + 1]; // of the tile
+    int cell[GATHER_MOST + 1]; // of the quad
     float place[GATHER_MOST + 1], lanes[GATHER_MOST + 1][LANES], sum[GATHER_MOST + 1];
-} gather_tile;
+} gather_quad;
 
-static void samples_in_tile(const axis_row *row, size_t from, size_t count, int64_t tile,
-                            gather_tile *samples) {
-    double middle = tile_middle(tile);
+static void samples_in_quad(const axis_row *row, size_t from, size_t count, int64_t quad,
+                            gather_quad *samples) {
+    double middle = quad_middle(quad);
     int n = 0;
     for (; from + (size_t)n < count && n < GATHER_MOST; n++) {
         double place = axis_row_place(row, (double)(from + (size_t)n)) - middle;
-        if (place >= TILE_CELLS / 2)
+        if (place >= QUAD_CELLS / 2)
             break;
-        samples->cell[n] = (int)(place + TILE_CELLS / 2); // place >= -2
+        samples->cell[n] = (int)(place + QUAD_CELLS / 2); // place >= -2
         samples->place[n] = (float)place;
     }
     samples->samples = n;
 }
 
 // Adds the lanes of all samples, halving their number.
-static void add_lanes(gather_tile *samples) {
+static void add_lanes(gather_quad *samples) {
     int count = samples->samples;
     float four[GATHER_MOST][4];
     for (int k = 0; k < count; k++) {
@@ -175,11 +175,11 @@ static void add_lanes(gather_tile *samples) {
         samples->sum[k] = (four[k][0] + four[k][2]) + (four[k][1] + four[k][3]);
 }
 
-// `list` starts with the tile before that of the samples, at its tile `at`.
-static inline __attribute__((always_inline)) void gather_in_tile(const bl_profile profile,
+// `list` starts with the quad before that of the samples, at its quad `at`.
+static inline __attribute__((always_inline)) void gather_in_quad(const bl_profile profile,
                                                                  const gather_list *list, int at,
-                                                                 int odd, gather_tile *samples) {
-    const int *start = list->start + at * TILE_CELLS;
+                                                                 int odd, gather_quad *samples) {
+    const int *start = list->start + at * QUAD_CELLS;
     for (int k = 0; k < samples->samples;) {
         int cell = samples->cell[k], first = start[cell + 2];
         gather_stretch from = {list->along[odd] + first, list->square + first,
@@ -197,17 +197,17 @@ static inline __attribute__((always_inline)) void gather_in_tile(const bl_profil
 static inline __attribute__((always_inline)) void
 gather_part(const bl_profile profile, const radial_line *line, int part, size_t count, float *out) {
     gather_list list;
-    gather_tile samples;
-    list.tiles = list.start[0] = 0;
-    int64_t filled = 0; // the tile after the last in the list
+    gather_quad samples;
+    list.quads = list.start[0] = 0;
+    int64_t filled = 0; // the quad after the last in the list
     for (size_t i = 0; i < count; i += (size_t)samples.samples) {
-        int64_t tile = tile_at(axis_row_place(line->row, (double)i));
+        int64_t quad = quad_at(axis_row_place(line->row, (double)i));
         if (i == 0)
-            filled = tile - 1;
-        for (; filled <= tile + 1; filled++)
-            append_tile(line, filled, part, &list);
-        samples_in_tile(line->row, i, count, tile, &samples);
-        gather_in_tile(profile, &list, list.tiles - 3, (int)(tile & 1), &samples);
+            filled = quad - 1;
+        for (; filled <= quad + 1; filled++)
+            append_quad(line, filled, part, &list);
+        samples_in_quad(line->row, i, count, quad, &samples);
+        gather_in_quad(profile, &list, list.quads - 3, (int)(quad & 1), &samples);
         add_lanes(&samples);
         for (int k = 0; k < samples.samples; k++)
             out[i + (size_t)k] += samples.sum[k] * line->scale;

@@ -3,7 +3,7 @@
 // Adds impulses to the samples of a row, one impulse after the other, each to its chord.
 //
 // What takes time are the roots, and branches guessed wrong at the ends of chords of different
-// lengths. So the impulses of a tile are put into classes by their distance h from the row, which
+// lengths. So the impulses of a quad are put into classes by their distance h from the row, which
 // decides how they are evaluated and how many samples their chord can hold:
 //
 //   near   h^2 < 1       both branches of the kernel
@@ -15,7 +15,7 @@
 //
 // Within a class all chords take the same number of half blocks of 8 samples. A sample beyond a
 // chord receives exactly 0, so that it does not matter where blocks begin or that they reach too
-// far, and a sample's sum runs through tiles, parts, classes and impulses in a fixed order. The
+// far, and a sample's sum runs through quads, parts, classes and impulses in a fixed order. The
 // impulses add to four sums in turn, because reading what was just written at another alignment
 // waits for the memory.
 #ifndef BL_NOISES_IMPULSES_RADIAL_ROW_SPLAT_H
@@ -44,37 +44,37 @@ enum {
     SPLAT_MARGIN = HALVES_MOST * HALF_BLOCK, // samples that a chord may reach out of the run
 };
 
-// Chords are taken longer by this on both sides, more than the rounding of places within a tile.
+// Chords are taken longer by this on both sides, more than the rounding of places within a quad.
 #define CHORD_MARGIN 1e-5f
 
 typedef struct splat_run {
     double first; // index of the run's first sample
     int samples;
-    float place[SPLAT_MARGIN + SPLAT_SAMPLES + 2 * SPLAT_MARGIN]; // from the middle of a tile
+    float place[SPLAT_MARGIN + SPLAT_SAMPLES + 2 * SPLAT_MARGIN]; // from the middle of a quad
     float sum[SUMS][SPLAT_MARGIN + SPLAT_SAMPLES + 2 * SPLAT_MARGIN];
     double per_cell; // samples
-    int from;        // the first sample within reach of the tile ...
+    int from;        // the first sample within reach of the quad ...
     float from_place;
 } splat_run;
 
 typedef struct splat_batch {
-    radial_tile tile;
-    int32_t first[TILE_MOST]; // sample of the chords
-    int32_t class[TILE_MOST];
+    radial_quad quad;
+    int32_t first[QUAD_MOST]; // sample of the chords
+    int32_t class[QUAD_MOST];
     int start[KIND_NONE + 1]; // of the impulses of each kind in the order
-    uint16_t order[TILE_MOST + LANES];
-    uint16_t of_class[CLASSES][TILE_MOST + LANES];
+    uint16_t order[QUAD_MOST + LANES];
+    uint16_t of_class[CLASSES][QUAD_MOST + LANES];
 } splat_batch;
 
 static inline int clamp_sample(double sample, int most) {
     return sample > 0 ? sample < most ? (int)sample : most : 0;
 }
 
-// The places of the samples that impulses of the tile can reach, and of those in the last blocks.
-static void place_samples(const axis_row *row, int64_t tile, splat_run *run) {
-    double middle = tile_middle(tile), per_cell = run->per_cell;
+// The places of the samples that impulses of the quad can reach, and of those in the last blocks.
+static void place_samples(const axis_row *row, int64_t quad, splat_run *run) {
+    double middle = quad_middle(quad), per_cell = run->per_cell;
     double first = axis_row_place(row, run->first) - middle;
-    double reach = 2 + TILE_CELLS / 2 + 1e-3;
+    double reach = 2 + QUAD_CELLS / 2 + 1e-3;
     int from = clamp_sample(floor((-reach - first) * per_cell) - 1, run->samples);
     int to = clamp_sample(ceil((reach - first) * per_cell) + 2 * LANES, run->samples);
     double index = run->first;
@@ -88,15 +88,15 @@ static void place_samples(const axis_row *row, int64_t tile, splat_run *run) {
 
 // Finds each chord's samples and class. Where a chord starts and ends needs no precision.
 static void classify(splat_batch *batch, const splat_run *run) {
-    const radial_tile *tile = &batch->tile;
+    const radial_quad *quad = &batch->quad;
     float per_cell = (float)run->per_cell, from_place = run->from_place;
-    int from = run->from, samples = run->samples, count = tile_count(tile);
+    int from = run->from, samples = run->samples, count = quad_count(quad);
     for (int i = 0; i < count; i += LANES)
 #pragma omp simd
         for (int l = i; l < i + LANES; l++) {
-            float square = tile->square[l];
+            float square = quad->square[l];
             float half = sqrtf(square < 4 ? 4 - square : 0) + CHORD_MARGIN;
-            float first = ceilf((tile->along[l] - from_place - half) * per_cell);
+            float first = ceilf((quad->along[l] - from_place - half) * per_cell);
             first = first > -2 * SPLAT_SAMPLES ? first : -2 * SPLAT_SAMPLES;
             first = first < 2 * SPLAT_SAMPLES ? first : 2 * SPLAT_SAMPLES;
             int32_t begin = (int32_t)first + from;
@@ -113,7 +113,7 @@ static void classify(splat_batch *batch, const splat_run *run) {
 
 // Sorts the impulses by class; those of equal class keep their order.
 static void sort_by_class(splat_batch *batch) {
-    int size[CLASSES] = {0}, count = tile_count(&batch->tile), at = 0;
+    int size[CLASSES] = {0}, count = quad_count(&batch->quad), at = 0;
     for (int i = 0; i < count; i++) {
         int c = batch->class[i];
         batch->of_class[c][size[c]++] = (uint16_t)i;
@@ -148,14 +148,14 @@ static int long_chord(const splat_run *run, float along, float square, int *firs
 
 // The chord of the impulse at a place in the order.
 static inline splat_chord chord_at(const splat_batch *batch, splat_run *run, int at, int kind) {
-    const radial_tile *tile = &batch->tile;
+    const radial_quad *quad = &batch->quad;
     int i = batch->order[at], first = batch->first[i];
     int halves = batch->class[i] - kind * CLASSES_OF_KIND;
     if (halves > HALVES_MOST)
-        halves = long_chord(run, tile->along[i], tile->square[i], &first);
+        halves = long_chord(run, quad->along[i], quad->square[i], &first);
     first += SPLAT_MARGIN;
-    return (splat_chord){run->place + first, run->sum[at % SUMS] + first, halves, tile->along[i],
-                         tile->square[i],    tile->amplitude[i]};
+    return (splat_chord){run->place + first, run->sum[at % SUMS] + first, halves, quad->along[i],
+                         quad->square[i],    quad->amplitude[i]};
 }
 
 // Adds the impulse to `count` samples; count and kind are constants where it is called.
@@ -227,12 +227,12 @@ splat_row(const bl_profile profile, const radial_line *line, size_t count, float
         run.samples = count - done < SPLAT_SAMPLES ? (int)(count - done) : SPLAT_SAMPLES;
         run.first = (double)done;
         memset(run.sum, 0, sizeof run.sum);
-        int64_t first = tile_at(axis_row_place(row, run.first) - 2);
-        int64_t last = tile_at(axis_row_place(row, run.first + run.samples - 1) + 2);
-        for (int64_t tile = first; tile <= last; tile++) {
-            place_samples(row, tile, &run);
+        int64_t first = quad_at(axis_row_place(row, run.first) - 2);
+        int64_t last = quad_at(axis_row_place(row, run.first + run.samples - 1) + 2);
+        for (int64_t quad = first; quad <= last; quad++) {
+            place_samples(row, quad, &run);
             for (int part = 0; part < line->parts; part++) {
-                line->fill(line->context, tile, part, &batch.tile);
+                line->fill(line->context, quad, part, &batch.quad);
                 splat(profile, &batch, &run);
             }
         }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The impulses of sparse convolution around a row along an axis, a tile at a time (radial_row.h
+// The impulses of sparse convolution around a row along an axis, a quad at a time (radial_row.h
 // adds them up).
 //
 // A row passes through one cell of each layer across it; the impulses of the 25 cells around it in
 // the layer can reach it, of those cells at least that come within 2. Such a column of cells keeps
-// its keys across and its place beside the row from tile to tile.
+// its keys across and its place beside the row from quad to quad.
 #ifndef BL_NOISES_IMPULSES_SPARSE_ROW_H
 #define BL_NOISES_IMPULSES_SPARSE_ROW_H
 
@@ -18,18 +18,18 @@
 #include "noises/impulses/radial_row.h"
 #include "noises/impulses/sparse_impulses.h"
 
-// The columns of cells within 2 of the row, repeated for each of a tile's cells along the row, and
+// The columns of cells within 2 of the row, repeated for each of a quad's cells along the row, and
 // filled up to a multiple of 4 with columns out of reach.
 typedef struct sparse_columns {
     const sparse_source *source;
     const impulse_source *poisson; // has the counts; NULL: they are fixed
     int axis, across[2];
     int columns;
-    uint32_t add[3][TILE_PLACES], exclusive[3][TILE_PLACES]; // keys, along the two axes across
-    float corner[2][TILE_PLACES]; // from the middle of the column to the row, in 2^-32 cells
+    uint32_t add[3][QUAD_PLACES], exclusive[3][QUAD_PLACES]; // keys, along the two axes across
+    float corner[2][QUAD_PLACES]; // from the middle of the column to the row, in 2^-32 cells
 } sparse_columns;
 
-// Sets a column of the tile's first cell.
+// Sets a column of the quad's first cell.
 static void set_column(sparse_columns *columns, const axis_row *row, int at, const int offset[2]) {
     for (int s = 0; s < 2; s++) {
         uint64_t cell = row->cell_across[s] + (uint64_t)(int64_t)offset[s];
@@ -58,7 +58,7 @@ static void open_columns(sparse_columns *columns, const axis_row *row) {
     columns->columns = count;
     for (int s = 0; s < 2; s++) {
         int a = row->across[s];
-        for (int i = count; i < TILE_CELLS * count; i++) {
+        for (int i = count; i < QUAD_CELLS * count; i++) {
             columns->add[a][i] = columns->add[a][i - count];
             columns->exclusive[a][i] = columns->exclusive[a][i - count];
             columns->corner[s][i] = columns->corner[s][i - count];
@@ -66,17 +66,17 @@ static void open_columns(sparse_columns *columns, const axis_row *row) {
     }
 }
 
-// The words of the tile's cells, and where they stand from the middle of the tile.
+// The words of the quad's cells, and where they stand from the middle of the quad.
 typedef struct sparse_cells {
-    uint32_t first[TILE_PLACES], second[TILE_PLACES];
-    float middle[TILE_PLACES];
-    int32_t count[TILE_PLACES]; // of impulses, for poisson
+    uint32_t first[QUAD_PLACES], second[QUAD_PLACES];
+    float middle[QUAD_PLACES];
+    int32_t count[QUAD_PLACES]; // of impulses, for poisson
 } sparse_cells;
 
 // The counts of the cells from their keys; returns the largest.
 static int fill_counts(const impulse_source *source, const uint32_t *const add[3],
                        const uint32_t *const exclusive[3], int places, int32_t *restrict count) {
-    uint32_t third[TILE_PLACES];
+    uint32_t third[QUAD_PLACES];
     const uint32_t *x = add[0], *y = add[1], *z = add[2];
     const uint32_t *u = exclusive[0], *v = exclusive[1], *w = exclusive[2];
     if (source->lattice.kind == BL_LATTICE_PERM256) {
@@ -105,12 +105,12 @@ static int fill_counts(const impulse_source *source, const uint32_t *const add[3
 }
 
 // Returns the largest count of a cell.
-static int fill_cells(const sparse_columns *columns, int64_t tile, sparse_cells *cells) {
+static int fill_cells(const sparse_columns *columns, int64_t quad, sparse_cells *cells) {
     const cell_numbers *numbers = &columns->source->numbers;
-    uint32_t add[TILE_PLACES], exclusive[TILE_PLACES];
+    uint32_t add[QUAD_PLACES], exclusive[QUAD_PLACES];
     int count = columns->columns;
-    for (int s = 0; s < TILE_CELLS; s++) {
-        uint64_t cell = (uint64_t)tile * TILE_CELLS + (uint64_t)s;
+    for (int s = 0; s < QUAD_CELLS; s++) {
+        uint64_t cell = (uint64_t)quad * QUAD_CELLS + (uint64_t)s;
         bl_lattice_key key = lane_key(numbers, columns->axis, cell);
         for (int i = s * count; i < (s + 1) * count; i++) {
             add[i] = key.add;
@@ -123,9 +123,9 @@ static int fill_cells(const sparse_columns *columns, int64_t tile, sparse_cells 
                                      columns->exclusive[2]};
     adds[columns->axis] = add;
     exclusives[columns->axis] = exclusive;
-    cells_words(numbers, adds, exclusives, TILE_CELLS * count, cells->first, cells->second);
+    cells_words(numbers, adds, exclusives, QUAD_CELLS * count, cells->first, cells->second);
     return columns->poisson
-               ? fill_counts(columns->poisson, adds, exclusives, TILE_CELLS * count, cells->count)
+               ? fill_counts(columns->poisson, adds, exclusives, QUAD_CELLS * count, cells->count)
                : columns->source->impulses;
 }
 
@@ -140,7 +140,7 @@ static void place_impulses(const sparse_columns *columns, const sparse_cells *ce
     uint32_t factor_along = factor[columns->axis], factor_0 = factor[columns->across[0]],
              factor_1 = factor[columns->across[1]], factor_amplitude = factor[3];
     const float *corner_0 = columns->corner[0], *corner_1 = columns->corner[1];
-    int count = TILE_CELLS * columns->columns;
+    int count = QUAD_CELLS * columns->columns;
     for (int i = 0; i < count; i += LANES)
 #pragma omp simd
         for (int l = i; l < i + LANES; l++) {
@@ -158,22 +158,22 @@ static void place_impulses(const sparse_columns *columns, const sparse_cells *ce
 // Puts impulse n of the cells that have fewer out of reach.
 static void drop_missing(const sparse_columns *columns, const sparse_cells *cells, int32_t n,
                          float *restrict square) {
-    int count = TILE_CELLS * columns->columns;
+    int count = QUAD_CELLS * columns->columns;
 #pragma omp simd
     for (int i = 0; i < count; i++)
         square[i] = n < cells->count[i] ? square[i] : 4;
 }
 
-static void fill_tile(const void *context, int64_t tile, int part, radial_tile *impulses) {
+static void fill_quad(const void *context, int64_t quad, int part, radial_quad *impulses) {
     const sparse_columns *columns = context;
     sparse_cells cells;
-    int first = part * TILE_IMPULSES, last = first + TILE_IMPULSES;
-    int most = fill_cells(columns, tile, &cells);
+    int first = part * QUAD_IMPULSES, last = first + QUAD_IMPULSES;
+    int most = fill_cells(columns, quad, &cells);
     last = last < most ? last : most;
     impulses->columns = columns->columns;
     impulses->impulses = last > first ? last - first : 0;
     for (int n = first; n < last; n++) {
-        int at = (n - first) * TILE_CELLS * columns->columns;
+        int at = (n - first) * QUAD_CELLS * columns->columns;
         const uint32_t *factor =
             columns->poisson ? columns->poisson->factor[n] : columns->source->factors.of[n];
         place_impulses(columns, &cells, factor, impulses->along + at, impulses->square + at,
@@ -193,9 +193,9 @@ sparse_row(const sparse_source *source, const impulse_source *poisson, const bl_
     open_columns(&columns, row);
     int most = poisson ? poisson->most : source->impulses;
     radial_line line = {.row = row,
-                        .fill = fill_tile,
+                        .fill = fill_quad,
                         .context = &columns,
-                        .parts = (most + TILE_IMPULSES - 1) / TILE_IMPULSES,
+                        .parts = (most + QUAD_IMPULSES - 1) / QUAD_IMPULSES,
                         .scale =
                             profile == BL_PROFILE_CATMULL_ROM ? source->scale : 2 * source->scale};
     radial_row_of(profile, &line, count, out);

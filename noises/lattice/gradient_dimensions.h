@@ -4,7 +4,7 @@
 //
 //   n(p) = sum over the 2^d corners c of the cell of (g_c . e) prod_a w(e_a),  e = p - c, a < d
 //
-// with the gradients of lattice_dimensions.h and the weights of gradient_kernel.h, which has three
+// with the gradients of lattice_dimensions.h and the weights of gradient_loops.h, which has three
 // dimensions.
 #ifndef BL_NOISES_LATTICE_GRADIENT_DIMENSIONS_H
 #define BL_NOISES_LATTICE_GRADIENT_DIMENSIONS_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Gradient noise as a kernel that noises share: rows, points and the reference in double of
+// Gradient noise as loops that noises share: rows, points and the reference in double of
 //
 //   n(p) = sum over the 8 corners c of the cell of (g_c . d) w(d_x) w(d_y) w(d_z),  d = p - c
 //

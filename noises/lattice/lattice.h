@@ -219,7 +219,7 @@ static inline void bl_perm256_words(const bl_lattice *lattice, unsigned componen
         words[index] = bl_perm256_word(lattice, index, component);
 }
 
-// Numbers are made in units of 2^-31, so that a kernel scales once a sample and not once a corner.
+// Numbers are made in units of 2^-31, so that a loop scales once a sample and not once a corner.
 #define BL_LATTICE_UNIT 0x1p-31
 
 enum { BL_LATTICE_VALUES = 1 << 20 }; // how many values there are
@@ -333,7 +333,7 @@ static inline bl_vector bl_edge16_gradient(uint32_t word) {
     return (bl_vector){v_is_x ? v : x, v_is_y ? v : y, v_is_x ? 0 : z};
 }
 
-// The gradient of a word in double: the same numbers as the float kernels, whatever the mode.
+// The gradient of a word in double: the same numbers as the loops in float, whatever the mode.
 static inline void bl_lattice_gradient(bl_gradients gradients, uint32_t word, double out[3]) {
     if (gradients == BL_GRADIENTS_SPHERE) {
         bl_sphere g = bl_sphere_gradient(word);

@@ -4,7 +4,7 @@
 //
 //   n(p) = sum over cells c of v_c prod_a k(p_a - c_a),  a < d
 //
-// with the kernels of value_kernel.h, which has three dimensions. A point costs 4^d or 2^d lattice
+// with the kernels of value_loops.h, which has three dimensions. A point costs 4^d or 2^d lattice
 // points, a plane across a row 4^(d-1), 3^(d-1) or 2^(d-1).
 #ifndef BL_NOISES_LATTICE_VALUE_DIMENSIONS_H
 #define BL_NOISES_LATTICE_VALUE_DIMENSIONS_H

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Value noise as a kernel that noises share: rows, points and the reference in double of
+// Value noise as loops that noises share: rows, points and the reference in double of
 //
 //   n(p) = sum over cells c of v_c k(x - c_x) k(y - c_y) k(z - c_z)
 //

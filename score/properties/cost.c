@@ -20,26 +20,26 @@
 
 enum { MOST = 4096, LEAST = 64 };
 
-typedef struct work_of_kernel {
+typedef struct loop_work {
     const bl_signal *signal;
     double start[BL_AXES], step[BL_AXES];
     const double *at[BL_AXES];
     size_t count;
     float *out;
-} work_of_kernel;
+} loop_work;
 
 static void run_row(void *user) {
-    work_of_kernel *work = user;
+    loop_work *work = user;
     bl_signal_row(work->signal, work->start, work->step, work->count, work->out);
 }
 
 static void run_points(void *user) {
-    work_of_kernel *work = user;
+    loop_work *work = user;
     bl_signal_points(work->signal, work->at, work->count, work->out);
 }
 
 // As many samples as one run takes a fiftieth of a turn for, so that slow signals are timed too.
-static void choose_count(work_of_kernel *work, double turn_seconds) {
+static void choose_count(loop_work *work, double turn_seconds) {
     size_t most = work->count;
     for (work->count = LEAST; work->count < most; work->count *= 2) {
         double start = bl_clock_seconds();
@@ -50,7 +50,7 @@ static void choose_count(work_of_kernel *work, double turn_seconds) {
     work->count = work->count < most ? work->count : most;
 }
 
-static void place_row(work_of_kernel *work) {
+static void place_row(loop_work *work) {
     const bl_extent *extent = &work->signal->extent;
     double cell = work->signal->facts.cell;
     static const double start[BL_AXES] = {0.37, 0.61, 0.83, 0.29};
@@ -86,7 +86,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
                          bl_score_property *result, bl_message *message) {
     double turn = bl_size_pick(settings->size, 2e-4, 2e-3, 5e-3);
     int rounds = (int)bl_size_pick(settings->size, 12, 18, 36);
-    work_of_kernel work = {.signal = subject->signal, .count = MOST};
+    loop_work work = {.signal = subject->signal, .count = MOST};
     double *room = malloc(MOST * (BL_AXES * sizeof(double) + sizeof(float)));
     if (!room)
         return bl_report(message, BL_DEVICE, "out of memory");

@@ -3,14 +3,14 @@
 // The property `repeatable`: equal questions get equal answers.
 //
 // An exact test. The same places are asked for again, backwards, in pieces of several sizes, from
-// several threads at once, of a second signal of the same seed, and of the kernels for every other
+// several threads at once, of a second signal of the same seed, and of the loops for every other
 // instruction set; every bit must agree. Scattered points and rows along every axis and across them
 // are asked for, near the origin and far away. The starts and steps of rows are multiples of 2^-10,
 // so that start + i*step is exact and a piece of a row has the places of the whole.
 //
 // Rows, points and the double reference are three routes to one function: they must agree to
 // 32 * 2^-24 * max(1, bound) where the signal states its bound, which is the rounding that float
-// kernels are allowed; where it states none, to 10^-5 of the range of its values and four roundings
+// loops are allowed; where it states none, to 10^-5 of the range of its values and four roundings
 // of the largest one; and the largest difference is reported.
 //
 // That it is a function of the place is what every signal claims (core/signal.h), so the verdict is
