@@ -2,12 +2,14 @@
 #
 #   make            the program and the libraries          make check      all tests
 #   make reproduce  the figures, into out/                 make bench      the benchmark
-#   make install    PREFIX=/usr/local DESTDIR=             make format     clang-format
+#   make install    PREFIX=/usr/local LIBDIR=$PREFIX/lib DESTDIR=
+#   make format     clang-format
 #   make asan, ubsan, tsan   the quick tests under a sanitizer; sanitize: the first two at once
 #   make V=1        shows the commands
 #   make check T=word    only the tests whose name has the word; SCALE=1 repeats as often as CI does
 
 PREFIX ?= /usr/local
+LIBDIR ?= $(PREFIX)/lib
 BUILD ?= build
 CFLAGS ?= -O3 -g
 CXXFLAGS ?= -O2 -g
@@ -22,12 +24,13 @@ NOISES := $(shell sed -n 's/^BL_NOISE(\(.*\))/\1/p' noises/noises.def)
 ISAS := baseline v3 v4
 FOLDERS := core filters noises textures sources spectra aliasing score reports
 LIBRARY_C := $(filter-out $(NOISES:%=noises/%.c),$(wildcard $(FOLDERS:%=%/*.c) $(FOLDERS:%=%/*/*.c)))
-LIBRARY_OBJECTS := $(LIBRARY_C:%.c=$(BUILD)/%.o) $(BUILD)/core/oiio.o \
+LIBRARY_OBJECTS := $(LIBRARY_C:%.c=$(BUILD)/%.o) \
     $(foreach isa,$(ISAS),$(NOISES:%=$(BUILD)/noises/%.$(isa).o))
 PROGRAM_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard cli/*.c))
 TESTS := $(patsubst tests/%.c,%,$(wildcard tests/t-*.c))
 TEST_HELPERS := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/t-*.c),$(wildcard tests/*.c)))
-OBJECTS := $(LIBRARY_OBJECTS) $(PROGRAM_OBJECTS) $(TESTS:%=$(BUILD)/tests/%.o) $(TEST_HELPERS)
+IMAGE_OBJECTS := $(BUILD)/core/oiio.o $(BUILD)/core/status.o
+OBJECTS := $(LIBRARY_OBJECTS) $(IMAGE_OBJECTS) $(PROGRAM_OBJECTS) $(TESTS:%=$(BUILD)/tests/%.o) $(TEST_HELPERS)
 PUBLIC_HEADERS := $(shell sed -n 's/^\#include "\(.*\)"/\1/p' include/bandlimit.h)
 
 # Expanded when first used, and once: `make deps` may have to install pkg-config first.
@@ -49,7 +52,7 @@ C_WARNINGS := $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes
 NUMBERS := -ffp-contract=off -fno-math-errno -fno-trapping-math
 COMMON := -I. -fPIC -fopenmp -MMD -MP $(SANITIZE)
 COMPILE_C = $(CC) -std=gnu17 -D_GNU_SOURCE $(C_WARNINGS) $(NUMBERS) $(COMMON) $(PACKAGE_FLAGS) $(CFLAGS)
-LIBS = $(PACKAGE_LIBS) -lfftw3_omp -lfftw3f_omp $(OIIO_LIBS) -lpthread -ldl -lm
+LIBS = $(PACKAGE_LIBS) -lfftw3_omp -lfftw3f_omp -lpthread -ldl -lm
 
 ISA_FLAGS_baseline := -march=x86-64-v2
 ISA_FLAGS_v3 := -march=x86-64-v3
@@ -62,7 +65,8 @@ say = $(if $(V),,@printf '  %-8s %s\n' $(1) $@)
 
 .PHONY: all tests check reproduce bench install deps format clean asan ubsan sanitize tsan
 .DELETE_ON_ERROR:
-all: $(BUILD)/bandlimit $(BUILD)/libbandlimit.a $(BUILD)/libbandlimit.so $(BUILD)/bandlimit.pc
+all: $(BUILD)/bandlimit $(BUILD)/bandlimit-images.so $(BUILD)/libbandlimit.a \
+    $(BUILD)/libbandlimit.so $(BUILD)/bandlimit.pc
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
@@ -72,7 +76,11 @@ $(BUILD)/%.o: %.c
 $(BUILD)/core/oiio.o: core/oiio.cpp
 	@mkdir -p $(@D)
 	$(call say,compile)
-	$(Q)$(CXX) -std=c++17 $(WARNINGS) $(COMMON) $(OIIO_FLAGS) $(CXXFLAGS) -c $< -o $@
+	$(Q)$(CXX) -std=c++17 -fvisibility=hidden $(WARNINGS) $(COMMON) $(OIIO_FLAGS) $(CXXFLAGS) -c $< -o $@
+
+# Where it finds bandlimit-images.so when that is not beside it.
+$(BUILD)/core/image_library.o: COMMON += -DBL_LIBRARY_FOLDER='"$(LIBDIR)"' \
+    -DBL_LIBRARY_FROM_PROGRAM='"../$(LIBDIR:$(PREFIX)/%=%)"'
 
 define noise_rule
 $(BUILD)/noises/%.$(1).o: noises/%.c
@@ -82,6 +90,11 @@ $(BUILD)/noises/%.$(1).o: noises/%.c
 endef
 $(foreach isa,$(ISAS),$(eval $(call noise_rule,$(isa))))
 
+# All that needs OpenImageIO, loaded when an image is read or written; core/image_library.h.
+$(BUILD)/bandlimit-images.so: $(IMAGE_OBJECTS) core/oiio.map
+	$(call say,link)
+	$(Q)$(CXX) -shared $(SANITIZE) $(IMAGE_OBJECTS) $(LDFLAGS) -Wl,--version-script=core/oiio.map $(OIIO_LIBS) -o $@
+
 $(BUILD)/libbandlimit.a: $(LIBRARY_OBJECTS)
 	$(call say,archive)
 	@rm -f $@
@@ -89,18 +102,18 @@ $(BUILD)/libbandlimit.a: $(LIBRARY_OBJECTS)
 
 $(BUILD)/libbandlimit.so.$(SOVERSION): $(LIBRARY_OBJECTS)
 	$(call say,link)
-	$(Q)$(CXX) -shared -Wl,-soname,$(@F) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) -o $@
+	$(Q)$(CC) -shared -Wl,-soname,$(@F) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) -o $@
 
 $(BUILD)/libbandlimit.so: $(BUILD)/libbandlimit.so.$(SOVERSION)
 	@ln -sf $(<F) $@
 
 $(BUILD)/bandlimit: $(PROGRAM_OBJECTS) $(BUILD)/libbandlimit.a
 	$(call say,link)
-	$(Q)$(CXX) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) -o $@
+	$(Q)$(CC) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) -o $@
 
 $(BUILD)/bandlimit.pc: bandlimit.pc.in core/version.h
 	@mkdir -p $(@D)
-	@sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|' $< > $@
+	@sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@VERSION@|$(VERSION)|' $< > $@
 
 # --- tests --------------------------------------------------------------------------------------
 
@@ -113,7 +126,7 @@ SCALE ?= 0.1
 $(BUILD)/tests/%.o: CFLAGS := $(TEST_CFLAGS)
 $(BUILD)/tests/t-%: $(BUILD)/tests/t-%.o $(TEST_HELPERS) $(BUILD)/libbandlimit.a
 	$(call say,link)
-	$(Q)$(CXX) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) $(TEST_LIBS) -o $@
+	$(Q)$(CC) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) $(TEST_LIBS) -o $@
 
 # With T=word, the programs that have it in their name or in that of a test: nothing else need be
 # built or started.
@@ -141,11 +154,11 @@ LOGS := $(SELECTED:%=$(BUILD)/tests/%.log)
 AT_SCALE := $(if $(filter-out file,$(origin SCALE)), SCALE=$(SCALE))
 REPEAT = make check$(AT_SCALE)
 .PHONY: $(LOGS)
-$(LOGS): %.log: % $(BUILD)/bandlimit
+$(LOGS): %.log: % $(BUILD)/bandlimit $(BUILD)/bandlimit-images.so
 	@BL_PROGRAM=$(BUILD)/bandlimit BL_BUILD=$(BUILD) T='$(T)' SCALE='$(SCALE)' REPEAT='$(REPEAT)' \
 	    sh tests/run.sh $< $@
 
-tests: $(BUILD)/bandlimit $(SELECTED:%=$(BUILD)/tests/%)
+tests: $(BUILD)/bandlimit $(BUILD)/bandlimit-images.so $(SELECTED:%=$(BUILD)/tests/%)
 	@:
 
 check: deps
@@ -183,15 +196,16 @@ bench: all
 	$(BUILD)/bandlimit bench
 
 install: all
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/lib/pkgconfig \
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(LIBDIR)/bandlimit $(DESTDIR)$(LIBDIR)/pkgconfig \
 	    $(DESTDIR)$(PREFIX)/share/man/man1 \
 	    $(DESTDIR)$(PREFIX)/share/bash-completion/completions
 	install -m 755 $(BUILD)/bandlimit $(DESTDIR)$(PREFIX)/bin/
-	install -m 644 $(BUILD)/libbandlimit.a $(DESTDIR)$(PREFIX)/lib/
-	install -m 755 $(BUILD)/libbandlimit.so.$(SOVERSION) $(DESTDIR)$(PREFIX)/lib/
-	ln -sf libbandlimit.so.$(SOVERSION) $(DESTDIR)$(PREFIX)/lib/libbandlimit.so
-	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|' bandlimit.pc.in \
-	    > $(DESTDIR)$(PREFIX)/lib/pkgconfig/bandlimit.pc
+	install -m 644 $(BUILD)/libbandlimit.a $(DESTDIR)$(LIBDIR)/
+	install -m 755 $(BUILD)/libbandlimit.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/
+	install -m 755 $(BUILD)/bandlimit-images.so $(DESTDIR)$(LIBDIR)/bandlimit/
+	ln -sf libbandlimit.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/libbandlimit.so
+	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@VERSION@|$(VERSION)|' bandlimit.pc.in \
+	    > $(DESTDIR)$(LIBDIR)/pkgconfig/bandlimit.pc
 	for header in $(PUBLIC_HEADERS); do \
 	    install -D -m 644 $$header $(DESTDIR)$(PREFIX)/include/bandlimit/$$header; done
 	install -m 644 include/bandlimit.h $(DESTDIR)$(PREFIX)/include/bandlimit/

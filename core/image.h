@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Images on disk, written whole or not at all, and read as signals. OpenImageIO stands behind this
-// header, in core/oiio.cpp and nowhere else; no exception passes it.
+// Images on disk, written whole or not at all, and read by pixels. OpenImageIO stands behind this
+// header, in core/oiio.cpp and nowhere else; it is loaded when the first of these functions is
+// called, and where it is missing they end with BL_DEVICE (core/image_library.h).
 #ifndef BL_CORE_IMAGE_H
 #define BL_CORE_IMAGE_H
 
 #include <stddef.h>
 
-#include "core/signal.h"
+#include "core/status.h"
 
 // A setting that travels with an image, as an attribute of the file.
 typedef struct bl_attribute {
@@ -30,25 +31,38 @@ typedef struct bl_image {
 // Writes an image in the format of the name's ending: .exr and .tif/.tiff hold the values as 32-bit
 // floats; .png holds codes proportional to (value - black) / (white - black), clamped, with no
 // further curve, so that equal steps of value are equal steps of code, unless `srgb` asks for the
-// curve of IEC 61966-2-1, which a viewer undoes; NaN is black there. The attributes, the spacing ("bandlimit:spacing") and for PNG the range are written too where the
-// format has room for them. Errors: BL_USAGE for another ending, an empty image or bits other than
+// curve of IEC 61966-2-1, which a viewer undoes; NaN is black there. The attributes and the spacing
+// ("bandlimit:spacing") are written too where the format has room for them. Errors: BL_USAGE for another ending, an empty image or bits other than
 // 8 and 16; BL_DEVICE for a folder that is missing or full: every byte is written through a
 // bl_file, so a disk that fills half way leaves nothing. Thread-safe for different paths.
 bl_status bl_image_write(const char *path, const bl_image *image, bl_message *message);
 
-typedef struct bl_image_source {
-    const char *path;
-    const char *channel; // name or index; NULL: the first
-    double spacing;      // 0: from the file, else 1
-    int part;            // of a multi-part file; -1: not chosen
-    size_t memory_bytes; // held at most
-    const char *text;    // the whole text, for the signal and for messages
-    unsigned wrap;       // beyond the edge: 0 nothing, 1 the image again, 2 mirrored
-    unsigned reading;    // between the pixels: 0 the nearest, 1 linear, 2 cubic
-} bl_image_source;
+// The pixels of one channel of an image file.
+typedef struct bl_pixels bl_pixels;
 
-// Opens an image as a two-dimensional signal; see
-// sources/source.h for the meaning and the errors.
-bl_status bl_image_open(const bl_image_source *source, bl_signal **signal, bl_message *message);
+typedef struct bl_pixels_choice {
+    const char *path;
+    const char *channel; // its name; NULL: the first
+    int channel_index;   // where no channel has that name; -1: none
+    int part;            // of a multi-part file; -1: not chosen
+    size_t memory_bytes; // held at most; a larger image is read in blocks
+} bl_pixels_choice;
+
+typedef struct bl_pixels_facts {
+    size_t width, height;
+    char spacing[64]; // what the file says of "bandlimit:spacing"; "" if nothing
+} bl_pixels_facts;
+
+// Opens the pixels, whose values are as stored; integers are divided by their full scale. The whole
+// image is read once, so that a damaged one is refused here. The caller ends with bl_pixels_close.
+// Errors: BL_USAGE for a channel or part that is not there; BL_MISMATCH for a file of several parts
+// of which none is chosen, and for one that is not one plane of pixels; BL_DEVICE for a file that
+// is missing, unreadable or damaged, and without memory. Thread-safe.
+bl_status bl_pixels_open(const bl_pixels_choice *choice, bl_pixels **pixels, bl_pixels_facts *facts,
+                         bl_message *message);
+// Pixels x .. x + count - 1 of row y, all within the image; row 0 is the top. NaN where the file
+// fails us. Thread-safe.
+void bl_pixels_span(const bl_pixels *pixels, size_t x, size_t y, size_t count, float *out);
+void bl_pixels_close(bl_pixels *pixels); // NULL is fine
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The only C++ file, and the only one that knows OpenImageIO. Every function that C calls catches
-// what is thrown and turns it into a status, or into NaN where a value is asked for.
+// The only C++ file, and the only one that knows OpenImageIO: all of bandlimit-images.so, which
+// core/image_library.h describes. Every function that C calls catches what is thrown and turns it
+// into a status, or into NaN where a value is asked for.
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -23,31 +23,13 @@
 #include <OpenImageIO/texture.h>
 
 extern "C" {
-#include "core/file.h"
-#include "core/grammar.h"
-#include "core/texels.h"
-#include "core/image.h"
-#include "sources/sampled_grid.h"
+#include "core/image_library.h"
+#include "core/version.h"
 }
 
 namespace {
 
 // --- writing ------------------------------------------------------------------------------------
-
-enum class Format { none, exr, tiff, png };
-
-Format format_of(const std::string &path) {
-    const size_t dot = path.find_last_of("./");
-    if (dot == std::string::npos || path[dot] != '.')
-        return Format::none;
-    std::string ending = path.substr(dot + 1);
-    for (char &c : ending)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return ending == "exr"                       ? Format::exr
-           : ending == "png"                     ? Format::png
-           : ending == "tif" || ending == "tiff" ? Format::tiff
-                                                 : Format::none;
-}
 
 // The finite range of the values, for pictures without a stated one. A constant image is black.
 void range_of(const bl_image &image, size_t count, double &black, double &white) {
@@ -99,7 +81,7 @@ std::string real_text(double value) {
 const char spacing_name[] = "bandlimit:spacing";
 
 // TIFF has no room for names of our own; there the description holds a line "name=value" for each.
-void put_attributes(const bl_image &image, Format format, OIIO::ImageSpec &spec) {
+void put_attributes(const bl_image &image, bl_image_format format, OIIO::ImageSpec &spec) {
     std::string description;
     const auto put = [&](const std::string &name, const std::string &value) {
         spec.attribute(name, value);
@@ -109,7 +91,7 @@ void put_attributes(const bl_image &image, Format format, OIIO::ImageSpec &spec)
         put(spacing_name, real_text(image.spacing));
     for (size_t i = 0; i < image.attribute_count; i++)
         put(image.attributes[i].name, image.attributes[i].value);
-    if (format == Format::tiff && !description.empty())
+    if (format == BL_IMAGE_TIFF && !description.empty())
         spec.attribute("ImageDescription", description);
 }
 
@@ -127,8 +109,9 @@ std::string find_attribute(const OIIO::ImageSpec &spec, const std::string &name,
     return description.substr(from, description.find('\n', from) - from);
 }
 
-bool write_values(OIIO::ImageOutput &output, const bl_image &image, Format format, size_t count) {
-    if (format != Format::png)
+bool write_values(OIIO::ImageOutput &output, const bl_image &image, bl_image_format format,
+                  size_t count) {
+    if (format != BL_IMAGE_PNG)
         return output.write_image(OIIO::TypeDesc::FLOAT, image.values);
     double black, white;
     range_of(image, count, black, white);
@@ -139,10 +122,10 @@ bool write_values(OIIO::ImageOutput &output, const bl_image &image, Format forma
                                     codes_of<uint8_t>(image, count, black, white).data());
 }
 
-OIIO::ImageSpec spec_of(const bl_image &image, Format format, int channels) {
-    const OIIO::TypeDesc type = format != Format::png ? OIIO::TypeDesc::FLOAT
-                                : image.bits == 16    ? OIIO::TypeDesc::UINT16
-                                                      : OIIO::TypeDesc::UINT8;
+OIIO::ImageSpec spec_of(const bl_image &image, bl_image_format format, int channels) {
+    const OIIO::TypeDesc type = format != BL_IMAGE_PNG ? OIIO::TypeDesc::FLOAT
+                                : image.bits == 16     ? OIIO::TypeDesc::UINT16
+                                                       : OIIO::TypeDesc::UINT8;
     OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height), channels,
                          type);
     if (channels == 1)
@@ -155,7 +138,7 @@ OIIO::ImageSpec spec_of(const bl_image &image, Format format, int channels) {
     spec.attribute("compression", "zip");
     // Without a date OpenImageIO writes the time: the same image must have the same bytes.
     spec.attribute("DateTime", "1970:01:01 00:00:00");
-    if (format == Format::png)
+    if (format == BL_IMAGE_PNG)
         spec.attribute("oiio:ColorSpace", "sRGB"); // codes are for the eye as they stand
     put_attributes(image, format, spec);
     return spec;
@@ -229,26 +212,9 @@ class Stream : public OIIO::Filesystem::IOProxy {
     Last last = Last::write;
 };
 
-bl_status check_image(const char *path, const bl_image &image, bl_message *message) {
-    const size_t channels = image.channels ? image.channels : 1;
-    const size_t most = 1 << 24; // pixels along a side: beyond it no format here can hold them
-    if (format_of(path) == Format::none)
-        return bl_report(message, BL_USAGE,
-                         "cannot tell the format of '%s': the name must end in .exr, .png or .tif",
-                         path);
-    if (!image.width || !image.height || image.width > most || image.height > most)
-        return bl_report(message, BL_USAGE, "'%s': no image has %zu x %zu pixels", path,
-                         image.width, image.height);
-    if (channels > 4 || (format_of(path) == Format::png && channels % 2 == 0) ||
-        (image.bits && image.bits != 8 && image.bits != 16))
-        return bl_report(message, BL_USAGE,
-                         "'%s': an image has 1 to 4 channels, PNG 1 or 3, and 8 or 16 bits", path);
-    return BL_OK;
-}
-
 // The image into the stream; what the library says of a failure goes into `reason`.
-bool encode(Stream &stream, const char *path, const bl_image &image, std::string &reason) {
-    const Format format = format_of(path);
+bool encode(Stream &stream, const char *path, bl_image_format format, const bl_image &image,
+            std::string &reason) {
     const size_t channels = image.channels ? image.channels : 1;
     auto output = OIIO::ImageOutput::create(path);
     if (!output) {
@@ -263,20 +229,13 @@ bool encode(Stream &stream, const char *path, const bl_image &image, std::string
     return good;
 }
 
-bl_status write_image(const char *path, const bl_image &image, bl_message *message) {
-    bl_file file;
-    bl_status status = check_image(path, image, message);
-    if (status == BL_OK)
-        status = bl_file_create(path, &file, message);
-    if (status != BL_OK)
-        return status;
-    const std::unique_ptr<bl_file, void (*)(bl_file *)> discard(&file, bl_file_discard);
-    Stream stream(file.stream, path);
+bl_status write_image(FILE *file, const char *path, bl_image_format format, const bl_image &image,
+                      bl_message *message) {
+    Stream stream(file, path);
     std::string reason;
-    const bool good = encode(stream, path, image, reason);
-    if (good && !stream.reason)
-        return bl_file_commit(&file, message); // after which nothing is left to discard
-    if (stream.reason)                         // the system's own word says more than the library's
+    if (encode(stream, path, format, image, reason) && !stream.reason)
+        return BL_OK;
+    if (stream.reason) // the system's own word says more than the library's
         reason = std::strerror(stream.reason);
     return bl_report(message, BL_DEVICE, "cannot write '%s': %s; nothing was changed there", path,
                      reason.empty() ? "the image library gives no reason" : reason.c_str());
@@ -284,19 +243,20 @@ bl_status write_image(const char *path, const bl_image &image, bl_message *messa
 
 // --- reading ------------------------------------------------------------------------------------
 
+} // namespace
+
 // The pixels of one channel: held in memory, or read in blocks through a cache of bounded size.
-class Pixels {
-  public:
-    Pixels(const OIIO::ImageSpec &spec, const char *file, int of_part, int of_channel)
+struct bl_pixels {
+    bl_pixels(const OIIO::ImageSpec &spec, const char *file, int of_part, int of_channel)
         : width(static_cast<size_t>(spec.width)), height(static_cast<size_t>(spec.height)),
           left(spec.x), top(spec.y), part(of_part), channel(of_channel), path(file) {
     }
-    ~Pixels() {
+    ~bl_pixels() {
         if (cache)
             OIIO::ImageCache::destroy(cache, true);
     }
-    Pixels(const Pixels &) = delete;
-    Pixels &operator=(const Pixels &) = delete;
+    bl_pixels(const bl_pixels &) = delete;
+    bl_pixels &operator=(const bl_pixels &) = delete;
 
     void use_cache(size_t memory_bytes) {
         cache = OIIO::ImageCache::create(false);
@@ -332,53 +292,7 @@ class Pixels {
     OIIO::ImageCache *cache = nullptr;
 };
 
-// The parameter block of the signal.
-struct Block {
-    bl_sampled_grid grid;
-    Pixels *pixels; // owned; released by image_release
-};
-
-// Called from C, which no exception may pass.
-extern "C" void image_span(const void *source, const size_t index[BL_AXES], size_t count,
-                           float *out) try {
-    static_cast<const Pixels *>(source)->span(index[0], index[1], count, out);
-} catch (...) {
-    for (size_t i = 0; i < count; i++)
-        out[i] = NAN;
-}
-
-extern "C" void image_row(const void *parameters, const double start[BL_AXES],
-                          const double step[BL_AXES], size_t count, float *out) {
-    bl_sampled_grid_row(&static_cast<const Block *>(parameters)->grid, start, step, count, out);
-}
-
-extern "C" double image_value(const void *parameters, const double at[BL_AXES]) {
-    return bl_sampled_grid_value(&static_cast<const Block *>(parameters)->grid, at);
-}
-
-extern "C" void image_points(const void *parameters, const double *const at[BL_AXES], size_t count,
-                             float *out) {
-    for (size_t i = 0; i < count; i++) {
-        const double place[BL_AXES] = {at[0][i], at[1][i], at[2][i], at[3][i]};
-        out[i] = static_cast<float>(image_value(parameters, place));
-    }
-}
-
-extern "C" void image_release(void *parameters) {
-    delete static_cast<Block *>(parameters)->pixels;
-}
-
-// By name, so that an ability more in the contract moves none of these.
-bl_signal_functions functions_of_images() {
-    bl_signal_functions functions{};
-    functions.row = image_row;
-    functions.points = image_points;
-    functions.value = image_value;
-    functions.release = image_release;
-    return functions;
-}
-
-const bl_signal_functions image_functions = functions_of_images();
+namespace {
 
 bl_status check_file(const char *path, bl_message *message) {
     struct stat info;
@@ -404,56 +318,40 @@ bl_status report_reading(const char *path, std::string reason, bl_message *messa
 }
 
 // Goes to the part asked for. A file of several parts needs one named: the first may be any layer.
-bl_status seek_part(OIIO::ImageInput &input, const bl_image_source &source, int &part,
+bl_status seek_part(OIIO::ImageInput &input, const bl_pixels_choice &choice, int &part,
                     bl_message *message) {
     int parts = 1;
     while (input.seek_subimage(parts, 0))
         parts++;
     (void)input.geterror();
-    part = source.part < 0 ? 0 : source.part;
-    if (source.part < 0 && parts > 1)
+    part = choice.part < 0 ? 0 : choice.part;
+    if (choice.part < 0 && parts > 1)
         return bl_report(message, BL_MISMATCH,
-                         "'%s' has %d parts; choose one with part=0 to part=%d", source.path, parts,
+                         "'%s' has %d parts; choose one with part=0 to part=%d", choice.path, parts,
                          parts - 1);
     if (part >= parts)
         return bl_report(message, BL_USAGE, "part=%d of '%s': the file has %d part%s, from 0", part,
-                         source.path, parts, parts == 1 ? "" : "s");
+                         choice.path, parts, parts == 1 ? "" : "s");
     if (!input.seek_subimage(part, 0))
-        return report_reading(source.path, input.geterror(), message);
+        return report_reading(choice.path, input.geterror(), message);
     return BL_OK;
 }
 
-bl_status find_channel(const OIIO::ImageSpec &spec, const bl_image_source &source, int &channel,
+bl_status find_channel(const OIIO::ImageSpec &spec, const bl_pixels_choice &choice, int &channel,
                        bl_message *message) {
     channel = 0;
-    if (!source.channel)
+    if (!choice.channel)
         return BL_OK;
-    channel = spec.channelindex(source.channel);
-    unsigned long long index;
-    if (channel < 0 && bl_read_unsigned(source.channel, &index) &&
-        index < static_cast<unsigned long long>(spec.nchannels))
-        channel = static_cast<int>(index);
+    channel = spec.channelindex(choice.channel);
+    if (channel < 0 && choice.channel_index < spec.nchannels)
+        channel = choice.channel_index;
     if (channel >= 0)
         return BL_OK;
     std::string names;
     for (int i = 0; i < spec.nchannels; i++)
         names += (i ? ", " : "") + std::string(spec.channel_name(i));
     return bl_report(message, BL_USAGE, "no channel '%s' in '%s'; it has %s (or 0 to %d)",
-                     source.channel, source.path, names.c_str(), spec.nchannels - 1);
-}
-
-bl_status find_spacing(const OIIO::ImageSpec &spec, const bl_image_source &source, double &spacing,
-                       bl_message *message) {
-    spacing = source.spacing;
-    if (spacing > 0)
-        return BL_OK;
-    const std::string text = find_attribute(spec, spacing_name, "1");
-    if (bl_read_real(text.c_str(), &spacing) && spacing > 0)
-        return BL_OK;
-    return bl_report(message, BL_MISMATCH,
-                     "'%s' says bandlimit:spacing is '%s', which is no size of a pixel; give "
-                     "spacing=REAL",
-                     source.path, text.c_str());
+                     choice.channel, choice.path, names.c_str(), spec.nchannels - 1);
 }
 
 bl_status check_shape(const OIIO::ImageSpec &spec, const char *path, bl_message *message) {
@@ -484,7 +382,7 @@ bool read_rows(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int part, i
 
 // Reads all rows once in strips, which finds a damaged file now, and keeps them if asked to.
 bl_status read_all(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int part, int channel,
-                   bool keep, const char *path, Pixels &pixels, bl_message *message) {
+                   bool keep, const char *path, bl_pixels &pixels, bl_message *message) {
     const int lines = spec.tile_width ? spec.tile_height : 64;
     std::vector<float> strip(pixels.width * static_cast<size_t>(lines));
     if (keep)
@@ -500,56 +398,37 @@ bl_status read_all(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int par
     return BL_OK;
 }
 
-bl_status make_signal(const bl_image_source &source, double spacing, std::unique_ptr<Pixels> pixels,
-                      bl_signal **out, bl_message *message) {
-    Block block = {};
-    block.pixels = pixels.get();
-    block.grid.dims = 2;
-    block.grid.size[0] = pixels->width;
-    block.grid.size[1] = pixels->height;
-    block.grid.size[2] = block.grid.size[3] = 1;
-    block.grid.spacing = spacing;
-    block.grid.wrap = source.wrap;
-    block.grid.reading = source.reading;
-    block.grid.span = image_span;
-    block.grid.source = pixels.get();
-    bl_signal *signal = bl_signal_new(&image_functions, &block, sizeof block, source.text);
-    if (!signal)
-        return bl_report(message, BL_DEVICE, "out of memory opening '%s'", source.path);
-    signal->name = "image";
-    bl_sampled_grid_describe(&block.grid, signal);
-    (void)pixels.release(); // the signal owns it now
-    *out = signal;
-    return BL_OK;
-}
-
-bl_status open_image(const bl_image_source &source, bl_signal **out, bl_message *message) {
-    bl_status status = check_file(source.path, message);
+bl_status open_pixels(const bl_pixels_choice &choice, bl_pixels **out, bl_pixels_facts &facts,
+                      bl_message *message) {
+    bl_status status = check_file(choice.path, message);
     if (status != BL_OK)
         return status;
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1); // values as stored, not times alpha
-    auto input = OIIO::ImageInput::open(source.path, &hints);
+    auto input = OIIO::ImageInput::open(choice.path, &hints);
     if (!input)
-        return report_reading(source.path, OIIO::geterror(), message);
+        return report_reading(choice.path, OIIO::geterror(), message);
     int part, channel;
-    double spacing;
-    if ((status = seek_part(*input, source, part, message)) != BL_OK)
+    if ((status = seek_part(*input, choice, part, message)) != BL_OK)
         return status;
     const OIIO::ImageSpec spec = input->spec();
-    if ((status = check_shape(spec, source.path, message)) != BL_OK ||
-        (status = find_channel(spec, source, channel, message)) != BL_OK ||
-        (status = find_spacing(spec, source, spacing, message)) != BL_OK)
+    if ((status = check_shape(spec, choice.path, message)) != BL_OK ||
+        (status = find_channel(spec, choice, channel, message)) != BL_OK)
         return status;
-    auto pixels = std::make_unique<Pixels>(spec, source.path, part, channel);
+    auto pixels = std::make_unique<bl_pixels>(spec, choice.path, part, channel);
     const double bytes = 4.0 * spec.width * spec.height;
-    const bool keep = bytes <= static_cast<double>(source.memory_bytes);
-    status = read_all(*input, spec, part, channel, keep, source.path, *pixels, message);
+    const bool keep = bytes <= static_cast<double>(choice.memory_bytes);
+    status = read_all(*input, spec, part, channel, keep, choice.path, *pixels, message);
     if (status != BL_OK)
         return status;
     if (!keep)
-        pixels->use_cache(source.memory_bytes);
-    return make_signal(source, spacing, std::move(pixels), out, message);
+        pixels->use_cache(choice.memory_bytes);
+    facts.width = pixels->width;
+    facts.height = pixels->height;
+    std::snprintf(facts.spacing, sizeof facts.spacing, "%s",
+                  find_attribute(spec, spacing_name, "").c_str());
+    *out = pixels.release();
+    return BL_OK;
 }
 
 // --- pictures for textures ----------------------------------------------------------------------
@@ -741,44 +620,48 @@ void look(const bl_texels &texels, double s, double t, double width_s, double wi
         rgb[c] = static_cast<double>(result[c]);
 }
 
-bl_status report_thrown(const char *path, const char *what, bl_message *message) {
-    return bl_report(message, BL_DEVICE, "'%s': the image library failed: %s", path, what);
-}
-
-} // namespace
-
-extern "C" bl_status bl_image_write(const char *path, const bl_image *image,
-                                    bl_message *message) try {
-    return write_image(path, *image, message);
+// Called from C, which no exception may pass.
+template <typename Work>
+bl_status catching(const char *path, bl_message *message, const Work &work) try {
+    return work();
 } catch (const std::exception &thrown) {
-    return report_thrown(path, thrown.what(), message);
+    return bl_report(message, BL_DEVICE, "'%s': the image library failed: %s", path, thrown.what());
 } catch (...) {
-    return report_thrown(path, "no reason given", message);
+    return bl_report(message, BL_DEVICE, "'%s': the image library failed", path);
 }
 
-extern "C" bl_status bl_image_open(const bl_image_source *source, bl_signal **signal,
-                                   bl_message *message) try {
-    return open_image(*source, signal, message);
-} catch (const std::exception &thrown) {
-    return report_thrown(source->path, thrown.what(), message);
-} catch (...) {
-    return report_thrown(source->path, "no reason given", message);
+bl_status write(FILE *stream, const char *path, bl_image_format format, const bl_image *image,
+                bl_message *message) {
+    return catching(path, message,
+                    [&] { return write_image(stream, path, format, *image, message); });
 }
 
-extern "C" bl_status bl_texels_open(const char *path, bl_texels **texels, bl_message *message) try {
-    return open_texels(path, texels, message);
-} catch (const std::exception &thrown) {
-    return report_thrown(path, thrown.what(), message);
-} catch (...) {
-    return report_thrown(path, "no reason given", message);
+bl_status pixels_open(const bl_pixels_choice *choice, bl_pixels **pixels, bl_pixels_facts *facts,
+                      bl_message *message) {
+    return catching(choice->path, message,
+                    [&] { return open_pixels(*choice, pixels, *facts, message); });
 }
 
-extern "C" void bl_texels_close(bl_texels *texels) {
+void pixels_span(const bl_pixels *pixels, size_t x, size_t y, size_t count, float *out) try {
+    pixels->span(x, y, count, out);
+} catch (...) {
+    std::fill_n(out, count, NAN);
+}
+
+void pixels_close(bl_pixels *pixels) {
+    delete pixels;
+}
+
+bl_status texels_open(const char *path, bl_texels **texels, bl_message *message) {
+    return catching(path, message, [&] { return open_texels(path, texels, message); });
+}
+
+void texels_close(bl_texels *texels) {
     delete texels;
 }
 
-extern "C" void bl_texels_look(const bl_texels *texels, double s, double t, double width_s,
-                               double width_t, bl_texels_reading reading, double rgb[3]) try {
+void texels_look(const bl_texels *texels, double s, double t, double width_s, double width_t,
+                 bl_texels_reading reading, double rgb[3]) try {
     rgb[0] = rgb[1] = rgb[2] = NAN;
     if (std::isfinite(s) && std::isfinite(t) && width_s >= 0 && width_t >= 0)
         look(*texels, s, t, width_s, width_t, reading, rgb);
@@ -786,22 +669,29 @@ extern "C" void bl_texels_look(const bl_texels *texels, double s, double t, doub
     rgb[0] = rgb[1] = rgb[2] = NAN;
 }
 
-extern "C" void bl_texels_mean(const bl_texels *texels, double rgb[3]) {
+void texels_mean(const bl_texels *texels, double rgb[3]) {
     std::copy_n(texels->picture.mean, 3, rgb);
 }
 
-extern "C" void bl_texels_bounds(const bl_texels *texels, double least[3], double most[3]) {
+void texels_bounds(const bl_texels *texels, double least[3], double most[3]) {
     std::copy_n(texels->picture.least, 3, least);
     std::copy_n(texels->picture.most, 3, most);
 }
 
-extern "C" void bl_texels_size(const bl_texels *texels, size_t size[2]) {
+void texels_size(const bl_texels *texels, size_t size[2]) {
     size[0] = texels->picture.width;
     size[1] = texels->picture.height;
 }
 
-extern "C" void bl_texels_plane(const bl_texels *texels, int component, float *out) {
+void texels_plane(const bl_texels *texels, int component, float *out) {
     const std::vector<float> &rgb = texels->picture.rgb;
     for (size_t i = static_cast<size_t>(component); i < rgb.size(); i += 3)
         *out++ = rgb[i];
 }
+
+} // namespace
+
+// BL_IMAGE_LIBRARY_SYMBOL, all that this shared object exports.
+extern "C" __attribute__((visibility("default"))) const bl_image_library bl_image_library_table = {
+    BL_VERSION,   write,       pixels_open, pixels_span,   pixels_close, texels_open,
+    texels_close, texels_look, texels_mean, texels_bounds, texels_size,  texels_plane};

@@ -2,8 +2,8 @@
 //
 // The contract of a filtered lookup in a picture of a file, for the texture that shows it.
 //
-// Textures know no library of images: they call these functions, which are defined in
-// core/oiio.cpp, by OpenImageIO's texture system. Pictures repeat beyond their edges. Colours
+// Textures know no library of images: they call these functions, which OpenImageIO's texture system
+// answers, loaded as core/image.h says. Pictures repeat beyond their edges. Colours
 // are linear: files whose codes follow the curve of sRGB are decoded before anything is filtered.
 #ifndef BL_CORE_TEXELS_H
 #define BL_CORE_TEXELS_H

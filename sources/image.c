@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // An image by its text: the settings behind the name of a file, as sources/source.h states them.
+#include <limits.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -126,14 +127,101 @@ static bl_status refuse_code(const char *text, bl_message *message) {
                 : BL_OK;
 }
 
+// --- the signal ---
+
+// The parameter block.
+typedef struct image_block {
+    bl_sampled_grid grid;
+    bl_pixels *pixels; // owned
+} image_block;
+
+static void image_span(const void *source, const size_t index[BL_AXES], size_t count, float *out) {
+    bl_pixels_span(source, index[0], index[1], count, out);
+}
+
+static void image_row(const void *parameters, const double start[BL_AXES],
+                      const double step[BL_AXES], size_t count, float *out) {
+    bl_sampled_grid_row(&((const image_block *)parameters)->grid, start, step, count, out);
+}
+
+static double image_value(const void *parameters, const double at[BL_AXES]) {
+    return bl_sampled_grid_value(&((const image_block *)parameters)->grid, at);
+}
+
+static void image_points(const void *parameters, const double *const at[BL_AXES], size_t count,
+                         float *out) {
+    for (size_t i = 0; i < count; i++) {
+        const double place[BL_AXES] = {at[0][i], at[1][i], at[2][i], at[3][i]};
+        out[i] = (float)image_value(parameters, place);
+    }
+}
+
+static void image_release(void *parameters) {
+    bl_pixels_close(((image_block *)parameters)->pixels);
+}
+
+static const bl_signal_functions image_functions = {
+    .row = image_row, .points = image_points, .value = image_value, .release = image_release};
+
+// The spacing that was asked for, else the file's own, else 1.
+static bl_status find_spacing(const bl_pixels_facts *facts, const char *path, double *spacing,
+                              bl_message *message) {
+    if (*spacing > 0)
+        return BL_OK;
+    *spacing = 1;
+    if (!facts->spacing[0] || (bl_read_real(facts->spacing, spacing) && *spacing > 0))
+        return BL_OK;
+    return bl_report(message, BL_MISMATCH,
+                     "'%s' says bandlimit:spacing is '%s', which is no size of a pixel; give "
+                     "spacing=REAL",
+                     path, facts->spacing);
+}
+
+// Opens the file and makes the signal. `settings` may leave the spacing open, 0.
+static bl_status open_image(const char *text, const char *path, const char *channel,
+                            const image_settings *settings, bl_signal **out, bl_message *message) {
+    unsigned long long index;
+    const bl_pixels_choice choice = {
+        .path = path,
+        .channel = channel,
+        .channel_index =
+            channel && bl_read_unsigned(channel, &index) && index <= INT_MAX ? (int)index : -1,
+        .part = (int)settings->part,
+        .memory_bytes = (size_t)(settings->memory * 1048576)};
+    bl_pixels_facts facts;
+    image_block block = {.grid = {.dims = 2,
+                                  .spacing = settings->spacing,
+                                  .wrap = settings->wrap,
+                                  .reading = settings->reading,
+                                  .span = image_span}};
+    bl_status status = bl_pixels_open(&choice, &block.pixels, &facts, message);
+    if (status != BL_OK)
+        return status;
+    const size_t size[BL_AXES] = {facts.width, facts.height, 1, 1};
+    memcpy(block.grid.size, size, sizeof size);
+    block.grid.source = block.pixels;
+    status = find_spacing(&facts, path, &block.grid.spacing, message);
+    bl_signal *signal =
+        status == BL_OK ? bl_signal_new(&image_functions, &block, sizeof block, text) : NULL;
+    if (status == BL_OK && !signal)
+        status = bl_report(message, BL_DEVICE, "out of memory opening '%s'", path);
+    if (status != BL_OK) {
+        bl_pixels_close(block.pixels);
+        return status;
+    }
+    signal->name = "image";
+    bl_sampled_grid_describe(&block.grid, signal);
+    *out = signal;
+    return BL_OK;
+}
+
 bl_status bl_image_text_open(const char *text, bl_signal **signal, bl_message *message) {
-    bl_image_source source = {.path = text, .part = -1, .text = text};
-    source.memory_bytes = (size_t)1 << 30;
+    static const image_settings usual = {.part = -1, .memory = 1024};
     bl_status code = refuse_code(text, message);
     if (code != BL_OK)
         return code;
     if (access(text, F_OK) == 0) // a file whose own name holds a colon
-        return bl_image_open(&source, signal, message);
+        return open_image(text, text, NULL, &usual, signal, message);
     bl_spec spec;
     bl_status status = bl_spec_parse(text, &spec, message);
     if (status != BL_OK)
@@ -147,16 +235,8 @@ bl_status bl_image_text_open(const char *text, bl_signal **signal, bl_message *m
         status = bl_parameters_read(image_parameters, &spec, text, &settings, message);
     if (status == BL_OK)
         status = check_values(&spec, &settings, message);
-    if (status == BL_OK) {
-        source.path = spec.name;
-        source.channel = channel;
-        source.spacing = settings.spacing;
-        source.part = (int)settings.part;
-        source.wrap = settings.wrap;
-        source.reading = settings.reading;
-        source.memory_bytes = (size_t)(settings.memory * 1048576);
-        status = bl_image_open(&source, signal, message);
-    }
+    if (status == BL_OK)
+        status = open_image(text, spec.name, channel, &settings, signal, message);
     free(channel);
     bl_spec_free(&spec);
     return status;

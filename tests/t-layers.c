@@ -35,9 +35,7 @@ enum { LAYERS = sizeof layers / sizeof *layers };
 // What one thing may know beside: the closed forms of the spectra read the descriptors of noises,
 // and the noises know of the filters nothing but the fade of octaves.
 static int is_allowed_exception(const char *file, const char *known) {
-    return (strncmp(file, "spectra/theory", 14) == 0 && strcmp(known, "noises/noise.h") == 0) ||
-           (strncmp(file, "core/oiio.", 10) == 0 &&
-            strncmp(known, "sources/sampled_grid.", 21) == 0);
+    return strncmp(file, "spectra/theory", 14) == 0 && strcmp(known, "noises/noise.h") == 0;
 }
 
 static int is_forbidden_besides(const char *file, const char *known) {
