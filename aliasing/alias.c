@@ -283,9 +283,9 @@ static bl_status open_methods(measurement *m, const char *const *texts, bl_alias
         m->scenes[i].signal = m->methods[i].signal;
         m->images[i] =
             (bl_scene_method){&m->scenes[i], m->methods[i].kind, m->methods[i].parameters};
-        result->rows[i].filter = strdup(m->methods[i].text);
+        result->rows[i].method = strdup(m->methods[i].text);
         result->rows[i].samples = m->methods[i].kind->samples(m->methods[i].parameters);
-        if (!result->rows[i].filter)
+        if (!result->rows[i].method)
             status = out_of_memory(message);
     }
     memcpy(result->mean, m->scene.mean, sizeof result->mean);
@@ -356,7 +356,7 @@ bl_status bl_alias_measure(const bl_signal *signal, const bl_view *view, const c
 
 void bl_alias_free(bl_alias_result *result) {
     for (size_t i = 0; result->rows && i < result->count; i++) {
-        free(result->rows[i].filter);
+        free(result->rows[i].method);
         free(result->rows[i].image);
     }
     free(result->rows);

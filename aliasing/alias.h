@@ -46,7 +46,7 @@ bl_alias_settings bl_alias_default_settings(void);
 enum { BL_ALIAS_RINGS = 32 };
 
 typedef struct bl_alias_row {
-    char *filter; // the text of the method; owned by the result
+    char *method; // the text of the method; owned by the result
     bl_estimate alias, blur, mse, ssim, flicker;
     double psnr_db; // of a full scale of 1
     double max_error;

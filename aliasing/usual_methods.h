@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The ways to sample a signal that are worth comparing: its own, one point, more points, the mean.
+// The methods of sampling a signal that are worth comparing: its own filters, one point, more points, the mean.
 #ifndef BL_ALIASING_USUAL_METHODS_H
 #define BL_ALIASING_USUAL_METHODS_H
 

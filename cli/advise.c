@@ -16,7 +16,7 @@ typedef struct advise_options {
     const char *view, *tolerance;
     int largest;
     uint64_t size;
-    bl_words filters;
+    bl_words methods;
 } advise_options;
 
 static const char axes[] = "xyzw";
@@ -51,10 +51,10 @@ static bl_status read_tolerance(bl_call *call, double *tolerance) {
 static size_t choose_methods(const bl_call *call, const bl_signal *signal, const char **methods) {
     const advise_options *options = call->settings;
     size_t count = 0;
-    if (options->filters.count == 0)
+    if (options->methods.count == 0)
         return bl_usual_methods(signal, methods);
-    for (; count < options->filters.count && count < BL_METHODS_MOST; count++)
-        methods[count] = options->filters.words[count];
+    for (; count < options->methods.count && count < BL_METHODS_MOST; count++)
+        methods[count] = options->methods.words[count];
     return count;
 }
 
@@ -63,7 +63,7 @@ static size_t choose_methods(const bl_call *call, const bl_signal *signal, const
 static json_t *row_json(const bl_advice *advice, size_t row) {
     json_t *object = json_object();
     const bl_alias_row *measured = &advice->alias.rows[row];
-    bl_json_set_text(object, "filter", measured->filter);
+    bl_json_set_text(object, "filter", measured->method);
     bl_json_set_estimate(object, "error", &advice->error[row]);
     bl_json_set_number(object, "max_error", measured->max_error);
     bl_json_set_estimate(object, "alias", &measured->alias);
@@ -99,7 +99,7 @@ static void set_row(json_t *object, const char *key, const bl_advice *advice, si
     if (row == SIZE_MAX)
         json_object_set_new(object, key, json_null());
     else
-        bl_json_set_text(object, key, advice->alias.rows[row].filter);
+        bl_json_set_text(object, key, advice->alias.rows[row].method);
 }
 
 static void fill_json(json_t *object, const bl_signal *signal, const bl_view *view,
@@ -145,12 +145,12 @@ static void print_choice(FILE *out, const bl_advice *advice, double tolerance,
     const bl_alias_row *chosen = &advice->alias.rows[advice->chosen];
     if (advice->verdict == BL_VERDICT_PASS)
         fprintf(out, "use %s: %s error %.3g (%.3g to %.3g), %.4g ns a pixel (%.4g to %.4g)\n",
-                chosen->filter, measure, advice->error[advice->chosen].value,
+                chosen->method, measure, advice->error[advice->chosen].value,
                 advice->error[advice->chosen].lower, advice->error[advice->chosen].upper,
                 chosen->ns_per_sample, chosen->ns_lowest, chosen->ns_highest);
     else {
         fprintf(out, "none is %swithin the tolerance; the nearest is %s, %.4g ns a pixel\n",
-                advice->verdict == BL_VERDICT_FAIL ? "" : "surely ", chosen->filter,
+                advice->verdict == BL_VERDICT_FAIL ? "" : "surely ", chosen->method,
                 chosen->ns_per_sample);
         print_fault(out, advice, advice->chosen, tolerance, measure);
         if (advice->verdict == BL_VERDICT_INCONCLUSIVE)
@@ -162,7 +162,7 @@ static void print_choice(FILE *out, const bl_advice *advice, double tolerance,
         return;
     }
     fprintf(out, "the next cheaper is %s, %.4g ns a pixel\n",
-            advice->alias.rows[advice->cheaper].filter,
+            advice->alias.rows[advice->cheaper].method,
             advice->alias.rows[advice->cheaper].ns_per_sample);
     print_fault(out, advice, advice->cheaper, tolerance, measure);
 }
@@ -204,7 +204,7 @@ static bl_status advise(bl_call *call, const bl_signal *signal, const bl_view *v
     const char *methods[BL_METHODS_MOST];
     size_t count = choose_methods(call, signal, methods);
     bl_advice advice;
-    bl_progress(call, "measuring %zu ways to sample %s ...", count, signal->text);
+    bl_progress(call, "measuring %zu methods on %s ...", count, signal->text);
     bl_status status = bl_advise(signal, view, methods, count, &settings, &advice, &call->message);
     bl_progress(call, NULL);
     if (status != BL_OK)
@@ -257,11 +257,12 @@ static const bl_option options[] = {
      .kind = BL_OPTION_FLAG,
      .offset = AT(largest),
      .help = "the tolerance holds for every pixel, and not for the root mean square"},
-    {.name = "filter",
+    {.name = "method",
+     .also = "filter",
      .kind = BL_OPTION_WORDS,
-     .offset = AT(filters),
+     .offset = AT(methods),
      .value = "METHOD",
-     .help = "a way to sample, as alias takes them; may be repeated (default: the usual ones)"},
+     .help = "how to sample, as `alias` takes it; may be repeated (default: the usual methods)"},
     {.name = "size",
      .kind = BL_OPTION_UNSIGNED,
      .offset = AT(size),
@@ -276,7 +277,8 @@ const bl_verb bl_verb_advise = {
     .operands = "SIGNAL",
     .summary = "the cheapest way to sample within a tolerance",
     .text =
-        "Measures every usual way to sample a texture, a primitive or a noise under a view, and "
+        "Measures every usual method of sampling a texture, a primitive or a noise under a view, "
+        "and "
         "tells the cheapest whose error stays within the tolerance, what it costs, what the next "
         "cheaper one gets wrong and where, and what the scene does not need: widths that no "
         "sample has, octaves that no pixel shows, dimensions that do not vary. The exit status is "

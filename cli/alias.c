@@ -14,7 +14,7 @@
 
 typedef struct alias_options {
     const char *view, *size, *pixel, *cache;
-    bl_words filters;
+    bl_words methods;
 } alias_options;
 
 // Beside the signal's own words.
@@ -57,12 +57,12 @@ static int add_all(const bl_signal *signal, bl_words *methods) {
 static bl_status choose_methods(bl_call *call, const bl_signal *signal, bl_words *methods) {
     const alias_options *options = call->settings;
     int whole = 1;
-    if (options->filters.count == 0)
+    if (options->methods.count == 0)
         whole = add_all(signal, methods);
-    for (size_t i = 0; i < options->filters.count; i++)
-        whole = whole && (strcmp(options->filters.words[i], "all") == 0
+    for (size_t i = 0; i < options->methods.count; i++)
+        whole = whole && (strcmp(options->methods.words[i], "all") == 0
                               ? add_all(signal, methods)
-                              : bl_words_add(methods, options->filters.words[i]));
+                              : bl_words_add(methods, options->methods.words[i]));
     return whole ? BL_OK : bl_report(&call->message, BL_DEVICE, "out of memory");
 }
 
@@ -94,7 +94,7 @@ static bl_alias_settings settings_of(const bl_call *call) {
 
 static json_t *row_json(const bl_alias_row *row) {
     json_t *object = json_object();
-    bl_json_set_text(object, "filter", row->filter);
+    bl_json_set_text(object, "filter", row->method);
     bl_json_set_estimate(object, "alias", &row->alias);
     bl_json_set_estimate(object, "blur", &row->blur);
     bl_json_set_estimate(object, "mse", &row->mse);
@@ -149,7 +149,7 @@ static void print_table(FILE *out, const bl_signal *signal, const bl_view *view,
                         const bl_alias_settings *settings, const bl_alias_result *result) {
     int width = 6;
     for (size_t i = 0; i < result->count; i++) {
-        int letters = (int)strlen(result->rows[i].filter);
+        int letters = (int)strlen(result->rows[i].method);
         width = letters > width ? letters : width;
     }
     bl_plain_text(out, signal->text);
@@ -166,11 +166,11 @@ static void print_table(FILE *out, const bl_signal *signal, const bl_view *view,
     fprintf(out,
             "%-*s  alias      blur       mse        psnr_db  ssim    max_error  flicker    "
             "ns_per_sample\n",
-            width, "filter");
+            width, "method");
     for (size_t i = 0; i < result->count; i++) {
         const bl_alias_row *row = &result->rows[i];
         fprintf(out, "%-*s  %-9.3g  %-9.3g  %-9.3g  %-7.4g  %-6.4f  %-9.3g  %-9.3g  %.4g\n", width,
-                row->filter, row->alias.value, row->blur.value, row->mse.value, row->psnr_db,
+                row->method, row->alias.value, row->blur.value, row->mse.value, row->psnr_db,
                 row->ssim.value, row->max_error, row->flicker.value, row->ns_per_sample);
     }
     fputs("\nalias, blur, mse and flicker are squares of the luminance; --json has the intervals\n",
@@ -183,7 +183,7 @@ static bl_status measure(bl_call *call, const bl_signal *signal, const bl_view *
     bl_alias_result result;
     bl_status status = choose_methods(call, signal, &methods);
     if (status == BL_OK) {
-        bl_progress(call, "measuring %zu ways to sample %s ...", methods.count, signal->text);
+        bl_progress(call, "measuring %zu methods on %s ...", methods.count, signal->text);
         status = bl_alias_measure(signal, view, methods.words, methods.count, &settings, &result,
                                   &call->message);
         bl_progress(call, NULL);
@@ -230,13 +230,15 @@ static const bl_option options[] = {
      .value = "VIEW",
      .fallback = "flat",
      .help = "what the pixels see, as plane:height=1,fov=60; `bandlimit list views` shows all"},
-    {.name = "filter",
+    {.name = "method",
+     .also = "filter",
      .kind = BL_OPTION_WORDS,
-     .offset = AT(filters),
+     .offset = AT(methods),
      .value = "METHOD",
-     .help = "a way to sample: a word of the signal's own key filter (of a sum of octaves: clamp), "
-             "as integral:width=length, or point, supersample:n=4,pattern=jitter, mean; may be "
-             "repeated; all is the signal's own and the usual others (default: all)"},
+     .help =
+         "how to sample: by a word of the signal's own key filter (of a sum of octaves: clamp), "
+         "as integral:width=length; or point, supersample:n=4,pattern=jitter, mean; may be "
+         "repeated. all: the signal's own filters and the usual methods (default: all)"},
     {.name = "size",
      .kind = BL_OPTION_WORD,
      .offset = AT(size),
@@ -260,9 +262,10 @@ static const bl_option options[] = {
 const bl_verb bl_verb_alias = {
     .name = "alias",
     .operands = "SIGNAL",
-    .summary = "alias and blur of each filter under a view",
+    .summary = "alias and blur of each method of sampling under a view",
     .text =
-        "Samples a texture, a primitive or a noise under a view in each of the ways asked for, and "
+        "Samples a texture, a primitive or a noise under a view with each of the methods asked "
+        "for, and "
         "compares the images with a converged reference: the energy that folds into the image "
         "(alias), the energy that is missing within (blur), squared and largest error, structural "
         "similarity, what flickers when the picture moves, and the time of a pixel. Alias and blur "
@@ -272,7 +275,7 @@ const bl_verb bl_verb_alias = {
     .most = 1,
     .output = BL_OUTPUT_FOLDER,
     .output_help =
-        "the folder to write into: the reference, the image of each filter and its "
+        "the folder to write into: the reference, the image of each method and its "
         "signed error, as EXR (linear) and PNG (sRGB), and alias.csv",
     .options = options,
     .settings_size = sizeof(alias_options),

@@ -62,15 +62,15 @@ static bl_status write_error(const picture_files *files, const char *name, const
     for (size_t p = 0; p < count; p++)
         files->values[p] = (float)(bl_colour_component(&row->image[3 * p], 0) -
                                    bl_colour_component(&reference->rgb[3 * p], 0));
-    bl_status status = write_image(files, name, row->filter, "exr", 1, 0, 0);
+    bl_status status = write_image(files, name, row->method, "exr", 1, 0, 0);
     double scale = row->max_error > 0 ? row->max_error : 1;
-    return status == BL_OK ? write_image(files, name, row->filter, "png", 1, -scale, scale)
+    return status == BL_OK ? write_image(files, name, row->method, "png", 1, -scale, scale)
                            : status;
 }
 
 // The text of a method as the name of a file.
-static void file_name(const char *filter, const char *more, char *name, size_t size) {
-    snprintf(name, size, "%.100s%s", filter, more);
+static void file_name(const char *method, const char *more, char *name, size_t size) {
+    snprintf(name, size, "%.100s%s", method, more);
     for (; *name; name++)
         if (!isalnum((unsigned char)*name) && *name != '.')
             *name = '-';
@@ -83,7 +83,7 @@ static void write_estimate(FILE *out, const bl_estimate *estimate) {
 }
 
 static void write_row(FILE *out, const bl_alias_row *row) {
-    bl_csv_word(out, row->filter, ',');
+    bl_csv_word(out, row->method, ',');
     write_estimate(out, &row->alias);
     write_estimate(out, &row->blur);
     write_estimate(out, &row->mse);
@@ -135,9 +135,9 @@ bl_status bl_alias_files_write(bl_call *call, const bl_signal *signal, const bl_
     if (status == BL_OK)
         status = write_colours(&files, "reference", "converged", result->reference.rgb);
     for (size_t i = 0; i < result->count && status == BL_OK; i++) {
-        file_name(result->rows[i].filter, "", name, sizeof name);
-        status = write_colours(&files, name, result->rows[i].filter, result->rows[i].image);
-        file_name(result->rows[i].filter, "-error", name, sizeof name);
+        file_name(result->rows[i].method, "", name, sizeof name);
+        status = write_colours(&files, name, result->rows[i].method, result->rows[i].image);
+        file_name(result->rows[i].method, "-error", name, sizeof name);
         if (status == BL_OK)
             status = write_error(&files, name, &result->rows[i], &result->reference);
     }

@@ -32,7 +32,7 @@ static void print_filled(FILE *out, const char *text, size_t at, size_t column) 
     fputc('\n', out);
 }
 
-// The help of an option with its range, choices and default.
+// The help of an option with its range, choices, default and second name.
 static void describe(const bl_option *option, const char *help, char *text, size_t size) {
     size_t used = (size_t)snprintf(text, size, "%s", help);
     if (option->kind == BL_OPTION_CHOICE) {
@@ -45,7 +45,9 @@ static void describe(const bl_option *option, const char *help, char *text, size
         used += (size_t)snprintf(text + used, size - used, "; from %.10g to %.10g", option->minimum,
                                  option->maximum);
     if (option->fallback && used < size)
-        snprintf(text + used, size - used, " (default: %s)", option->fallback);
+        used += (size_t)snprintf(text + used, size - used, " (default: %s)", option->fallback);
+    if (option->also && used < size)
+        snprintf(text + used, size - used, "; --%s is the same", option->also);
 }
 
 static void print_option(FILE *out, const bl_option *option, const char *help) {
@@ -126,6 +128,7 @@ static json_t *options_json(const bl_option *options, const bl_verb *verb) {
         json_t *entry = json_object();
         char letter[2] = {option->letter, '\0'};
         bl_json_set_text(entry, "name", option->name);
+        bl_json_set_text(entry, "also", option->also);
         bl_json_set_text(entry, "letter", option->letter ? letter : NULL);
         bl_json_set_text(entry, "value", option->value);
         bl_json_set_text(entry, "default", option->fallback);

@@ -121,12 +121,17 @@ static int is_option(const char *word) {
     return end == word;
 }
 
+static int is_named(const char *own, const char *name, size_t length) {
+    return own && strlen(own) == length && strncmp(own, name, length) == 0;
+}
+
 static const bl_option *find(const bl_option_table *tables, const char *name, size_t length,
                              char letter, void **block) {
     for (; tables->options; tables++)
         for (const bl_option *option = tables->options; option->name; option++)
             if (letter ? option->letter == letter
-                       : strlen(option->name) == length && !strncmp(option->name, name, length)) {
+                       : is_named(option->name, name, length) ||
+                             is_named(option->also, name, length)) {
                 *block = tables->block;
                 return option;
             }
@@ -138,8 +143,11 @@ static bl_status report_unknown(const bl_option_table *tables, const char *word,
     const char *names[128];
     size_t count = 0;
     for (; tables->options; tables++)
-        for (const bl_option *option = tables->options; option->name && count < 127; option++)
+        for (const bl_option *option = tables->options; option->name && count < 126; option++) {
             names[count++] = option->name;
+            if (option->also)
+                names[count++] = option->also;
+        }
     names[count] = NULL;
     const char *bare = word + strspn(word, "-");
     char name[64] = "";

@@ -30,6 +30,7 @@ typedef struct bl_words {
 
 typedef struct bl_option {
     const char *name; // without dashes; NULL ends a table
+    const char *also; // a second name; NULL: none
     bl_option_kind kind;
     char letter;          // 0: none
     size_t offset;        // in the block of settings

@@ -46,7 +46,7 @@ _bandlimit() {
             continuity seeds far gradient cost" -- "${current##*,}"))
         ;;
     --view) COMPREPLY=($(compgen -W "$(_bandlimit_names views)" -- "$current")) ;;
-    --filter) COMPREPLY=($(compgen -W "all $(_bandlimit_names methods)" -- "$current")) ;;
+    --method | --filter) COMPREPLY=($(compgen -W "all $(_bandlimit_names methods)" -- "$current")) ;;
     --trade) COMPREPLY=($(compgen -W "$(_bandlimit_names trades)" -- "$current")) ;;
     --pixel) COMPREPLY=($(compgen -W "box gaussian" -- "$current")) ;;
     --cache) COMPREPLY=($(compgen -d -- "$current")) ;;
@@ -121,7 +121,7 @@ _bandlimit() {
         words=$(_bandlimit_names noises) files=yes
         ;;
     alias)
-        options="--view --filter --size --pixel --cache"
+        options="--view --method --filter --size --pixel --cache"
         words="$(_bandlimit_names textures) $(_bandlimit_names primitives) $(_bandlimit_names noises)"
         files=yes
         ;;
@@ -130,7 +130,7 @@ _bandlimit() {
         words="spectrum $(_bandlimit_names textures) $(_bandlimit_names primitives) $(_bandlimit_names noises)"
         ;;
     advise)
-        options="--view --tolerance --largest --filter --size"
+        options="--view --tolerance --largest --method --filter --size"
         words="$(_bandlimit_names textures) $(_bandlimit_names primitives) $(_bandlimit_names noises)"
         ;;
     reproduce)

@@ -18,7 +18,7 @@ static double number_of(const json_t *object, const char *key) {
     return json_number_value(json_object_get(object, key));
 }
 
-static void test_json_has_a_row_for_each_filter(void **state) {
+static void test_json_has_a_row_for_each_method(void **state) {
     (void)state;
     static const char *const keys[] = {"alias",         "alias_lower",
                                        "alias_upper",   "blur",
@@ -27,7 +27,7 @@ static void test_json_has_a_row_for_each_filter(void **state) {
                                        "max_error",     "flicker",
                                        "flicker_lower", "ns_per_sample",
                                        "pops",          "ns_per_sample_lower"};
-    bl_ran ran = bl_run_program("alias", "brick", "--view", "plane:height=1,fov=60", "--filter",
+    bl_ran ran = bl_run_program("alias", "brick", "--view", "plane:height=1,fov=60", "--method",
                                 "all", "--size", "24", "--quick", "--json");
     assert_int_equal(ran.status, 0);
     assert_string_equal(ran.err, "");
@@ -53,7 +53,7 @@ static void test_json_has_a_row_for_each_filter(void **state) {
 // The integral leaves less of everything than a point.
 static void test_a_filter_is_better_than_none(void **state) {
     (void)state;
-    bl_ran ran = bl_run_program("alias", "brick", "--filter", "point", "--filter", "integral",
+    bl_ran ran = bl_run_program("alias", "brick", "--method", "point", "--method", "integral",
                                 "--view", "flat:scale=4", "--size", "48x32", "--quick", "--json");
     json_t *object = run_json(&ran), *rows = json_object_get(object, "rows");
     static const char *const keys[] = {"alias", "mse", "flicker", "max_error"};
@@ -71,8 +71,8 @@ static void test_the_folder_has_images_and_a_table(void **state) {
                                         "integral.exr",       "integral.png",  "integral-error.exr",
                                         "integral-error.png", "point.exr"};
     char *folder = strdup(bl_test_path("pictures"));
-    bl_ran ran = bl_run_program("alias", "brick", "--filter", "point", "--filter", "integral",
-                                "--size", "16", "--quick", "-o", folder);
+    bl_ran ran = bl_run_program("alias", "brick", "--filter", "point", "--method", "integral",
+                                "--size", "16", "--quick", "-o", folder); // two names, one list
     assert_int_equal(ran.status, 0);
     assert_non_null(strstr(ran.out, "ns_per_sample"));
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -95,7 +95,7 @@ static void test_the_cache_is_used_and_nothing_kept_without_it(void **state) {
     (void)state;
     char *folder = strdup(bl_test_path("cache"));
     for (int i = 0; i < 2; i++) {
-        bl_ran ran = bl_run_program("alias", "brick", "--filter", "point", "--size", "16",
+        bl_ran ran = bl_run_program("alias", "brick", "--method", "point", "--size", "16",
                                     "--quick", "--cache", folder, "--json");
         json_t *object = run_json(&ran);
         assert_int_equal(json_is_true(json_object_get(object, "reference_from_cache")), i);
@@ -136,16 +136,16 @@ static void test_bad_words_are_refused_with_what_to_do(void **state) {
     } cases[] = {{"--view", "plain", "'plane'", 64},
                  {"--view", "plane:fov=200", "fov", 64},
                  {"--view", "plane:pitch=-80", "sees nothing", 3},
-                 {"--filter", "integrl", "'integral'", 64},
-                 {"--filter", "supersample:n=0", "n", 64},
+                 {"--method", "integrl", "'integral'", 64},
+                 {"--method", "supersample:n=0", "n", 64},
                  {"--size", "0x9", "--size", 64},
                  {"--size", "big", "--size", 64},
                  {"--size", "9000", "4096", 64},
                  {"--pixel", "sinc", "--pixel", 64},
                  {"--cache", "/dev/null/x", "/dev/null", 4}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        // The last of two equal options wins, and --filter gathers.
-        bl_ran ran = bl_run_program("alias", "brick", "--size", "8", "--quick", "--filter", "point",
+        // The last of two equal options wins, and --method gathers.
+        bl_ran ran = bl_run_program("alias", "brick", "--size", "8", "--quick", "--method", "point",
                                     cases[i].option, cases[i].word);
         if (ran.status != cases[i].status || !strstr(ran.err, cases[i].says))
             fail_msg("%s %s: status %d, %s", cases[i].option, cases[i].word, ran.status, ran.err);
@@ -156,7 +156,7 @@ static void test_bad_words_are_refused_with_what_to_do(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_json_has_a_row_for_each_filter),
+        cmocka_unit_test(test_json_has_a_row_for_each_method),
         cmocka_unit_test(test_a_filter_is_better_than_none),
         cmocka_unit_test(test_the_folder_has_images_and_a_table),
         cmocka_unit_test(test_the_cache_is_used_and_nothing_kept_without_it),

@@ -70,6 +70,9 @@ static void expect_options_in_man(const char *part, const json_t *options, const
         man_name(text_of(option, "name"), name, sizeof name);
         if (!strstr(part, name))
             fail_msg("man/bandlimit.1, %s: no entry for --%s", where, text_of(option, "name"));
+        snprintf(name, sizeof name, "\\-\\-%s is the same", text_of(option, "also"));
+        if (*text_of(option, "also") && !strstr(part, name))
+            fail_msg("man/bandlimit.1, %s: --%s is not told", where, text_of(option, "also"));
     }
     if (count_of(part, "\\fB\\-\\-") != json_array_size(options))
         fail_msg("man/bandlimit.1, %s: %zu options, the program has %zu", where,
@@ -152,6 +155,9 @@ static void test_the_completion_knows_verbs_and_options(void **state) {
         for (int l = 0; l < 2; l++)
             json_array_foreach(lists[l], k, option) {
                 snprintf(word, sizeof word, "--%s", text_of(option, "name"));
+                if (!strstr(script, word))
+                    fail_msg("completion lacks %s", word);
+                snprintf(word, sizeof word, "--%s", text_of(option, "also"));
                 if (!strstr(script, word))
                     fail_msg("completion lacks %s", word);
             }

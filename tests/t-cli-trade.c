@@ -139,8 +139,8 @@ static void test_advise_agrees_with_its_exit_status(void **state) {
         // Seen straight ahead, 0.3 units a pixel, where every way has an error.
         json_t *object =
             RUN_JSON(cases[i].status, "advise", "checkerboard", "--tolerance", cases[i].tolerance,
-                     "--size", "32", "--view", "flat:scale=9.6,rotate=20", "--filter", "point",
-                     "--filter", "supersample:n=2");
+                     "--size", "32", "--view", "flat:scale=9.6,rotate=20", "--method", "point",
+                     "--method", "supersample:n=2");
         assert_string_equal(text_of(object, "schema"), "bandlimit.advise/1");
         assert_string_equal(text_of(object, "verdict"), cases[i].verdict);
         assert_near(number_of(object, "exit_status"), cases[i].status, 0);
@@ -156,7 +156,7 @@ static void test_advise_says_what_to_use_and_what_is_not_needed(void **state) {
     (void)state;
     bl_ran ran =
         bl_run_program("advise", "fractalsum:max=64", "--quick", "--size", "24", "--tolerance",
-                       "1/2", "--filter", "point", "--filter", "mean", "--view", "flat:scale=2.4");
+                       "1/2", "--method", "point", "--method", "mean", "--view", "flat:scale=2.4");
     assert_int_equal(ran.status, 0);
     assert_non_null(strstr(ran.out, "\nuse "));
     assert_non_null(strstr(ran.out, "octaves: 3 of 6"));
@@ -164,7 +164,7 @@ static void test_advise_says_what_to_use_and_what_is_not_needed(void **state) {
     bl_ran_free(&ran);
     EXPECT_REFUSAL(64, "--tolerance zero", "advise", "brick", "--tolerance", "zero");
     EXPECT_REFUSAL(64, "--tolerance 0", "advise", "brick", "--tolerance", "0");
-    EXPECT_REFUSAL(64, "supersample", "advise", "brick", "--filter", "supersampel");
+    EXPECT_REFUSAL(64, "supersample", "advise", "brick", "--method", "supersampel");
 }
 
 int main(void) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// alias-blur: what filters leave of the alias and what they cost in blur, on three textures.
+// alias-blur: what methods of sampling leave of the alias and what they cost in blur, on three
+// textures.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -152,7 +153,7 @@ static bl_status write_rows(bl_run *run, const subject *s, const measured *m, bl
     for (size_t i = 0; i < way_count(s); i++) {
         const bl_alias_row *row = &m->result.rows[i];
         words[i] = s->ways[i].word;
-        methods[i] = row->filter;
+        methods[i] = row->method;
         values[BLUR][i] = row->blur.value;
         values[ALIAS][i] = row->alias.value;
         values[ALIAS_LOWER][i] = row->alias.lower;
@@ -173,7 +174,7 @@ static bl_status write_rows(bl_run *run, const subject *s, const measured *m, bl
     columns[count++] = (bl_column){"alias_db", drawn[KINDS], NULL};
     columns[count++] = (bl_column){"blur_db", drawn[KINDS + 1], NULL};
     return bl_run_csv(run, s->key,
-                      "alias and blur of each filter, squares of the value, and dB of the alias of "
+                      "alias and blur of each method, squares of the value, and dB of the alias of "
                       "point samples",
                       columns, count, way_count(s), message);
 }
@@ -191,7 +192,7 @@ static bl_status draw_rows(bl_run *run, bl_message *message) {
         panels[n] =
             (bl_panel){.title = subjects[n].title, .series = series[n], .series_count = KINDS + 1};
     }
-    const bl_plot plot = {.title = "How much alias and how much blur does each filter leave?",
+    const bl_plot plot = {.title = "How much alias and how much blur does each method leave?",
                           .x = {"blur, dB of the alias of point samples", LEAST_BLUR, 5, 5, 0},
                           .y = {"alias, dB of that of point samples", -35, 5, 5, 0},
                           .panels = panels,
@@ -390,11 +391,12 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
 
 BL_FIGURE_DESCRIPTOR(alias_blur) = {
     .name = "alias-blur",
-    .title = "Alias and blur of filters",
-    .question = "How much alias and how much blur does each filter leave?",
+    .title = "Alias and blur of methods",
+    .question = "How much alias and how much blur does each method leave?",
     .paper = "peachey2003, Methods of Antialiasing Procedural Textures",
     .shows =
-        "Each way to sample a brick wall, a zone plate and a turbulence: the energy that folds "
+        "Each method of sampling a brick wall, a zone plate and a turbulence: the energy that "
+        "folds "
         "into the picture (alias) against the energy that is missing or wrong within it (blur). "
         "The best stands at the lower left. A box that is a pixel wide is no ideal filter: it "
         "blurs, and leaves some alias. Tent and Mitchell weight 2 x 2 samples a pixel; jittered "

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// texture-filter: the ways to sample a texture, or anything else that filters itself, under a view
+// texture-filter: the methods of sampling a texture, or anything else that filters itself, under a view
 // (aliasing/alias.h): its own filters, one point, more points, and the mean.
 //
 // Error: the root mean square of the luminance against the converged image of a box pixel. The
@@ -74,8 +74,8 @@ static void close_nothing(bl_alternatives *alternatives) {
 
 BL_TRADE_DESCRIPTOR(texture_filter) = {
     .name = "texture-filter",
-    .title = "filter of a texture",
-    .question = "What does each way of sampling cost, and how far off is its image?",
+    .title = "method of sampling",
+    .question = "What does each method of sampling cost, and how far off is its image?",
     .paper = "peachey2003, pp. 57-66",
     .error_name = "rms error of the image",
     .error_unit = "of full luminance",
