@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The verb `check`: does a signal keep to its band, or to all it claims? The exit status is the
+// The verb `check`: does a signal keep to its band, or is all true that it states? The exit status is the
 // verdict.
 #include <math.h>
 #include <string.h>
@@ -152,7 +152,7 @@ static const bl_option options[] = {
      .offset = offsetof(check_settings, band),
      .value = "A:B",
      .fallback = "0:1",
-     .help = "the band claimed, cycles per unit; B may be inf"},
+     .help = "the band, cycles per unit; B may be inf"},
     {.name = "leak",
      .kind = BL_OPTION_REAL,
      .offset = offsetof(check_settings, leak_db),
@@ -183,8 +183,8 @@ static const bl_option options[] = {
      .fallback = "1e-6",
      .minimum = 1e-12,
      .maximum = 0.5,
-     .help = "--claims: probability that a signal that keeps all its claims shows a failure by "
-             "chance"},
+     .help = "--claims: probability that a signal all of whose facts are true shows a failure "
+             "by chance"},
     {0}};
 
 const bl_verb bl_verb_check = {
@@ -197,10 +197,9 @@ const bl_verb bl_verb_check = {
         "inconclusive (1): the limits straddle it, and the averages needed are told. Where there "
         "is nothing to judge, because the signal is constant, or no frequency that was measured "
         "lies in the band or outside of it and its guard, it is an error (3). With --claims "
-        "the range, the mean, the variance, the band and all else that the signal states are "
-        "judged, a line a claim; a signal that states nothing is an error (3), and so is a "
-        "program, which "
-        "cannot make claims.",
+        "every fact that the signal states is judged, as its range, mean, variance and band: a "
+        "line a claim. A signal that states nothing is an error (3), and so is a program, which "
+        "can state nothing.",
     .least = 1,
     .most = 1,
     .output = BL_OUTPUT_DATA,

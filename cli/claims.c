@@ -18,7 +18,8 @@ typedef struct claim_line {
     bl_verdict verdict;
 } claim_line;
 
-// Every claim of a property of several, and every other property that is judged against a claim.
+// Every claim of a property that has several, and every other property that is judged against what
+// the signal states.
 static size_t list_claims(const bl_score *score, claim_line lines[MOST]) {
     size_t count = 0;
     for (size_t i = 0; i < bl_property_count(); i++) {
@@ -33,7 +34,7 @@ static size_t list_claims(const bl_score *score, claim_line lines[MOST]) {
     return count;
 }
 
-// That it is a function of the place is claimed by being a signal; more than that must be stated,
+// That it is a function of the place is stated by being a signal; more than that must be stated,
 // and a grid has no values between its samples of which more could be true.
 static int states_something(const bl_signal *signal) {
     const bl_facts *facts = &signal->facts;
@@ -54,7 +55,7 @@ static bl_status report_nothing(bl_call *call, const bl_signal *signal) {
     return bl_report(&call->message, BL_MISMATCH,
                      "'%s' states nothing that could be checked%s; `bandlimit score` measures it "
                      "against the ideal",
-                     signal->text, is_program ? ": a program cannot make claims" : "");
+                     signal->text, is_program ? ": a program can state nothing" : "");
 }
 
 static bl_verdict verdict_of(const claim_line *lines, size_t count) {

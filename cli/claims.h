@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// `check --claims`: everything that a signal states of itself, a line a claim.
+// `check --claims`: every fact that a signal states is judged, a line a claim.
 #ifndef BL_CLI_CLAIMS_H
 #define BL_CLI_CLAIMS_H
 

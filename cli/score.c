@@ -260,7 +260,7 @@ static const bl_option options[] = {
      .fallback = "1e-6",
      .minimum = 1e-12,
      .maximum = 0.5,
-     .help = "probability that a table of signals that keep what they claim shows a failure by "
+     .help = "probability that a table of signals whose facts are true shows a failure by "
              "chance"},
     {0}};
 
@@ -273,8 +273,9 @@ const bl_verb bl_verb_score = {
         "of a known range, limited to a band, without periods, stationary and isotropic; and "
         "against what they state of themselves. A row a signal, a column a property (as in JSON): "
         "repeatable, range, band, period, stationarity, isotropy, continuity, seeds, far, "
-        "gradient, cost. Each is judged against the signal's own claim or, where it makes none, "
-        "against the ideal; the exit status is that of the claims: 2 if one fails, else 1 if one "
+        "gradient, cost. Each is judged against what the signal states or, where it states "
+        "nothing, "
+        "against the ideal; the exit status is that of the former: 2 if one fails, else 1 if one "
         "is inconclusive, else 0. All tests of a table share one probability of a false alarm.",
     .most = 4096,
     .output = BL_OUTPUT_DATA,

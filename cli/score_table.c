@@ -181,14 +181,15 @@ static void print_legend(bl_call *call, const bl_scorecard *cards, size_t count,
     paragraph p = {call->out, width, 0, 0};
     if (starred)
         put_words(&p, "",
-                  "* against the ideal, not the signal's claim; does not count for the exit status "
+                  "* against the ideal, for the signal states nothing; does not count for the exit "
+                  "status "
                   "without --strict.");
     if (unsure)
         put_words(&p, "", "? inconclusive.");
     if (idle)
         put_words(&p, "", "- nothing to measure.");
     snprintf(chance, sizeof chance,
-             "A table of signals that keep what they claim shows a failure by chance once in %.3g.",
+             "A table of signals whose facts are true shows a failure by chance once in %.3g.",
              1 / alpha);
     put_words(&p, "", chance);
     fputc('\n', call->out);

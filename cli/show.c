@@ -140,9 +140,9 @@ static void print_facts(FILE *out, const bl_signal *signal) {
         fprintf(out, "  %-12s %g : %g cycles per unit; leak %s\n", "band", facts->band_from,
                 facts->band_to, facts->leak_db < 0 ? "none at all" : "not known");
     else if (isfinite(facts->band_from))
-        fprintf(out, "  %-12s no claim: there is no variance\n", "band");
+        fprintf(out, "  %-12s not stated: there is no variance\n", "band");
     else
-        fprintf(out, "  %-12s no claim\n", "band");
+        fprintf(out, "  %-12s not stated\n", "band");
     char class[16];
     fprintf(out, "  %-12s %s\n", "continuity",
             bl_continuity_text(facts->continuity, class, sizeof class));
@@ -356,7 +356,7 @@ static const bl_option options[] = {
 const bl_verb bl_verb_show = {
     .name = "show",
     .operands = "NAME",
-    .summary = "definition, parameters, claims, source",
+    .summary = "definition, parameters, facts, source",
     .text =
         "NAME is a noise, primitive or texture, with or without settings (the facts are those for "
         "the settings), a filter (filter:NAME where a primitive has that name too), a view, a "

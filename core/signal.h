@@ -67,15 +67,15 @@ typedef struct bl_facts {
     double lower, upper;       // hard bound of the range
     const char *bound_proof;   // how it is proved, in words; NULL if there is no bound
     double mean, variance;     // over places and seeds
-    double band_from, band_to; // the claimed band, cycles per unit, of a spectrum along an axis ...
+    double band_from, band_to; // the band, cycles per unit, of a spectrum along an axis ...
     double leak_db;            // ... and the share of variance outside of it, dB of the variance
     int continuity;            // -2 not stated, -1 discontinuous, 0 for C0, 1 for C1, ...
     double period[BL_AXES];    // the smallest period along each axis; 0: none
     double cell;               // the distance of the planes of its lattice; 0: it has none
     double far;                // the coordinate beyond which the fraction within a cell is lost
     double covariance_reach;   // lags with a component beyond it have no covariance; or INFINITY
-    int stationary;            // 1: claims the same mean and variance all over its cell
-    int isotropic;             // 1: claims a spectrum without a direction in all its dimensions
+    int stationary;            // 1: the same mean and variance all over its cell
+    int isotropic;             // 1: a spectrum without a direction in all its dimensions
 } bl_facts;
 
 // The grid of a sampled signal (an image); sizes 0 for a signal without one.

@@ -42,7 +42,7 @@
 //
 // C0: a crease where two points are equally near, and a kink at a feature point; where the gradient
 // does not exist, one of those beside it stands for it, or 0 at a feature point. No band is
-// claimed: creases decay slowly. Mean and variance are not stated, and depend on the place in the
+// stated: creases decay slowly. Mean and variance are not stated, and depend on the place in the
 // cell: the lattice shows.
 //
 // Source: worley1996, which was not at hand; this is the method as the field describes it.

@@ -68,7 +68,7 @@ double bl_covariance_share_above(bl_covariance *covariance, const void *paramete
 // lattice allows. The variance, at a random place and seed, where all numbers within the kernels'
 // footprint differ, lattice=hash and no period shorter than it; and of lattice=perm256 without a
 // period, exactly, from how often numbers meet again (noises/lattice/lattice_repeats.h; not in four
-// dimensions). On lattice=hash without any period also the covariance's reach, and the claim that
+// dimensions). On lattice=hash without any period also the covariance's reach, and the fact that
 // along an axis all but leak_db of the variance lies in [0, 1]: the exact share outside, rounded up
 // to the next hundredth of a dB. Otherwise these stay "not stated": numbers of a short period that
 // meet again move the variance, and a coarse table of the kernel leaks far more than the kernel.

@@ -30,6 +30,8 @@ enum {
     BL_SCORE_VARIANTS = 4     // instruction sets, at most
 };
 
+// What a property is judged against: a fact that the signal states, which is then its claim, or the
+// ideal.
 typedef enum bl_score_against { BL_AGAINST_CLAIM, BL_AGAINST_IDEAL } bl_score_against;
 
 // A number of a property. Its level is 1 if it is exact, 0 if it has no interval.

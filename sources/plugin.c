@@ -58,7 +58,7 @@ static const bl_parameter plugin_parameters[] = {{.key = "seed",
                                                   .maximum = BL_AXES,
                                                   .fallback = "0",
                                                   .unit = "",
-                                                  .help = "dimensions; 0: what it claims, else 3"},
+                                                  .help = "dimensions; 0: what it states, else 3"},
                                                  {.key = NULL}};
 
 // --- calls into the plugin ---
@@ -266,15 +266,15 @@ static bl_status read_claims(const plugin_source *plugin, bandlimit_claim *claim
     return BL_OK;
 }
 
-static bl_status settle_dims(const plugin_source *plugin, uint32_t claimed, uint32_t *dims,
+static bl_status settle_dims(const plugin_source *plugin, uint32_t stated, uint32_t *dims,
                              bl_message *message) {
-    if (*dims && claimed && *dims != claimed)
+    if (*dims && stated && *dims != stated)
         return bl_report(message, BL_USAGE,
-                         "'%s': %s claims %u dimension%s, and dims=%u; leave "
+                         "'%s': %s states %u dimension%s, and dims=%u; leave "
                          "dims out",
-                         plugin->path, plugin->symbol, claimed, claimed == 1 ? "" : "s", *dims);
+                         plugin->path, plugin->symbol, stated, stated == 1 ? "" : "s", *dims);
     if (!*dims)
-        *dims = claimed ? claimed : DEFAULT_DIMS;
+        *dims = stated ? stated : DEFAULT_DIMS;
     return BL_OK;
 }
 

@@ -64,7 +64,7 @@ const char *bl_plugin_claims_fault(const struct bandlimit_claims *c) {
 void bl_plugin_claims_state(const struct bandlimit_claims *claims, bl_facts *facts) {
     facts->lower = claims->lower;
     facts->upper = claims->upper;
-    facts->bound_proof = isnan(claims->upper) ? NULL : "claimed by the plugin";
+    facts->bound_proof = isnan(claims->upper) ? NULL : "stated by the plugin";
     facts->mean = claims->mean;
     facts->variance = claims->variance;
     facts->band_from = claims->band_from;

@@ -38,7 +38,7 @@
 // spacing, wrap, interp, memory as above.
 //
 // A function follows include/bandlimit_plugin.h. Keys: seed=N (default 0) and dims=N (default: what
-// the plugin claims, else 3). Its claims become the facts of the signal.
+// the plugin states, else 3). What it states becomes the facts of the signal.
 //
 // A program follows sources/program.c: it is asked through its standard input and answers on its
 // standard output, in little-endian doubles. Its words are split as by a shell (sources/command.h).

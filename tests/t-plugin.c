@@ -225,7 +225,7 @@ static void test_claims_that_cannot_be_are_refused(void **state) {
     refuse("bad_flags", BL_USAGE, "flags");
     refuse("bad_size", BL_DEVICE, "another size");
     refuse("long_claims", BL_DEVICE, "another size");
-    refuse("full,dims=3", BL_USAGE, "claims 2 dimensions");
+    refuse("full,dims=3", BL_USAGE, "states 2 dimensions");
 }
 
 // --- measurements ---

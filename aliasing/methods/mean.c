@@ -9,8 +9,8 @@
 // Nyquist limit, gone from the limit on. The width is the largest of all axes of the signal.
 //
 // Parameters
-//   top       the highest frequency, cycles per unit; 0: where the signal's claimed band ends, or
-//             one per unit if it claims none
+//   top       the highest frequency, cycles per unit; 0: where the signal's stated band ends, or
+//             one per unit if it states none
 //   from, to  where the fade begins and ends, cycles per sample
 //   width     the estimator (filters/sample_width.h)
 //

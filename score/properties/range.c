@@ -345,7 +345,7 @@ static void judge_number(bl_score_property *result, const char *name, double sta
                            stated);
 }
 
-// All claims, or the ideal where nothing is claimed.
+// All claims, or the ideal where nothing is stated.
 static void judge(bl_score_property *result, const bl_signal *signal, const findings *found,
                   double missed) {
     const bl_facts *facts = &signal->facts;

@@ -13,7 +13,7 @@
 // loops are allowed; where it states none, to 10^-5 of the range of its values and four roundings
 // of the largest one; and the largest difference is reported.
 //
-// That it is a function of the place is what every signal claims (core/signal.h), so the verdict is
+// That it is a function of the place is what every signal states (core/signal.h), so the verdict is
 // against the claim; and a signal that has no numbers near the origin is none, and fails.
 #include <math.h>
 #include <stdio.h>
