@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The methods of sampling a signal that are worth comparing: its own filters, one point, more points, the mean.
+// The methods of sampling a signal that are worth comparing: its own filters, one point, more
+// points, the mean.
 #ifndef BL_ALIASING_USUAL_METHODS_H
 #define BL_ALIASING_USUAL_METHODS_H
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The verb `check`: does a signal keep to its band, or is all true that it states? The exit status is the
-// verdict.
+// The verb `check`: does a signal keep to its band, or is all true that it states? The exit status
+// is the verdict.
 #include <math.h>
 #include <string.h>
 

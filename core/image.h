@@ -32,9 +32,10 @@ typedef struct bl_image {
 // floats; .png holds codes proportional to (value - black) / (white - black), clamped, with no
 // further curve, so that equal steps of value are equal steps of code, unless `srgb` asks for the
 // curve of IEC 61966-2-1, which a viewer undoes; NaN is black there. The attributes and the spacing
-// ("bandlimit:spacing") are written too where the format has room for them. Errors: BL_USAGE for another ending, an empty image or bits other than
-// 8 and 16; BL_DEVICE for a folder that is missing or full: every byte is written through a
-// bl_file, so a disk that fills half way leaves nothing. Thread-safe for different paths.
+// ("bandlimit:spacing") are written too where the format has room for them. Errors: BL_USAGE for
+// another ending, an empty image or bits other than 8 and 16; BL_DEVICE for a folder that is
+// missing or full: every byte is written through a bl_file, so a disk that fills half way leaves
+// nothing. Thread-safe for different paths.
 bl_status bl_image_write(const char *path, const bl_image *image, bl_message *message);
 
 // The pixels of one channel of an image file.

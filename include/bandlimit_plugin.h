@@ -71,8 +71,8 @@ struct bandlimit_claims {
 enum { BANDLIMIT_NOT_THREAD_SAFE = 1 }; // one call at a time, of all functions of this plugin
 
 // SYMBOL_claims, optional: writes into the struct what the noise states, and leaves the rest alone.
-// They hold for every seed, and become the facts of the signal, which `bandlimit check --claims` and
-// `bandlimit score` judge: each is then a claim that passes or fails.
+// They hold for every seed, and become the facts of the signal, which `bandlimit check --claims`
+// and `bandlimit score` judge: each is then a claim that passes or fails.
 typedef void bandlimit_claim(struct bandlimit_claims *claims);
 
 #ifdef __cplusplus

@@ -6,7 +6,8 @@
 //   n(p) = F1(p), F2(p) or F2(p) - F1(p)
 //
 // Parameters
-//   seed, lattice, component, period   of the places of the feature points (noises/lattice/lattice.h)
+//   seed, lattice, component, period   of the places of the feature points
+//                                      (noises/lattice/lattice.h)
 //   dims     2 or 3
 //   points   1 to 4 feature points in each cell
 //   value    f1, f2 or f2-f1

@@ -75,8 +75,8 @@ double bl_covariance_share_above(bl_covariance *covariance, const void *paramete
 void bl_terms_describe(const bl_terms *terms, int holds, const bl_lattice_settings *lattice,
                        bl_facts *facts);
 
-// Hard bounds |n| <= value, in exact arithmetic, and how they are proved (noises/lattice/bounds.c). `table`
-// is the entries a unit of a tabulated kernel, 0 for the exact one.
+// Hard bounds |n| <= value, in exact arithmetic, and how they are proved (noises/lattice/bounds.c).
+// `table` is the entries a unit of a tabulated kernel, 0 for the exact one.
 typedef struct bl_bound {
     double value;
     const char *proof;

@@ -9,7 +9,8 @@
 // Phases are uniform and independent. The cosines are divided by the transform of the kernel that
 // reads the tile, so that the powers p_k of the noise as it is read are exactly the target's; the
 // images that any kernel leaves around multiples of `samples` cycles a unit come on top of it and
-// are what the stated variance and leak count besides (noises/tiles/tile.h, noises/tiles/synthesis.h).
+// are what the stated variance and leak count besides (noises/tiles/tile.h,
+// noises/tiles/synthesis.h).
 //
 // Parameters
 //   seed        64 bits, chooses phases and amplitudes

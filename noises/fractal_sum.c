@@ -10,8 +10,8 @@
 //   min     frequency of the first octave, cells of the basis a unit, 1/256 to 4096; default 1
 //   max     octaves end below it, 1/256 to 4096; default 16; the sum is 0 if max <= min
 //   width   units between samples, 0 to inf; default 0, which keeps all octaves
-//   clamp   fade, hard or none: how octaves beyond 1/(2 width) go (noises/octaves/octaves.h); what goes
-//           leaves the mean of the basis, which is 0 for most
+//   clamp   fade, hard or none: how octaves beyond 1/(2 width) go (noises/octaves/octaves.h); what
+//           goes leaves the mean of the basis, which is 0 for most
 //
 // Units: those in which min = 1 is one cell of the basis. Frequencies are powers of two times min,
 // so for min a power of two p f is exact.

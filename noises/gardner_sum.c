@@ -16,7 +16,8 @@
 //   width   units between samples, 0 to inf, which keeps the mean alone; default 0, which
 //           keeps all terms
 //   clamp   fade, hard or none: how a term goes whose larger frequency u_i or v_i is beyond
-//           1/(2 width); the weights are those of noises/octaves/octaves.h. It leaves its mean A_i^2/4
+//           1/(2 width); the weights are those of noises/octaves/octaves.h. It leaves its mean
+//           A_i^2/4
 //
 // Units: those of the text's shader; the coarsest wave is 43 units long, the finest of 5 terms 2.5.
 // Dimensions: 2.
@@ -26,9 +27,9 @@
 // a_i is a wave in x whose frequency u_i is no sum of harmonics of the u_{i-1} within b_i and their
 // like in y at once: u_2 = 2 u_1, but v_2 = 2.12 v_1.
 // Variance: exact for at most 7 terms, from the covariance over places, which is a closed form
-// without an end (noises/octaves/gardner_theory.h): its spectrum is one of lines. Band: not stated; phases
-// that wave make sidebands beyond the nominal frequencies, at sums with multiples of u_{i-1} and
-// v_{i-1}. Class: C-infinity, all derivatives exist.
+// without an end (noises/octaves/gardner_theory.h): its spectrum is one of lines. Band: not stated;
+// phases that wave make sidebands beyond the nominal frequencies, at sums with multiples of u_{i-1}
+// and v_{i-1}. Class: C-infinity, all derivatives exist.
 // Period: that of the frequencies, which are whole multiples of a common one: with 5 terms
 // 10869.565... (250000/23) units along x and 3720238.095... (78125000/21) along y; to rounding,
 // because these are no doubles. Far: 2^52, where doubles are whole.

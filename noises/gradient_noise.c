@@ -14,15 +14,16 @@
 //   fade       cubic 3 t^2 - 2 t^3 (the text's smoothstep, C1), quintic 6 t^5 - 15 t^4 + 10 t^3
 //              (Perlin 2002, C2), linear t (C0)
 //   gradients  sphere (the text), rejection (Perlin's own scheme), edges (Perlin 2002: the 12 edge
-//              midpoints of a cube, of length sqrt 2); noises/lattice/lattice_dimensions.h has those of
-//              1, 2 and 4 dimensions and their variances
-//   lattice    hash, or the text's perm256, which repeats after 256 cells (noises/lattice/lattice.h)
+//              midpoints of a cube, of length sqrt 2); noises/lattice/lattice_dimensions.h has
+//              those of 1, 2 and 4 dimensions and their variances
+//   lattice    hash, or the text's perm256, which repeats after 256 cells
+//              (noises/lattice/lattice.h)
 //   component, period   noises/common_parameters.h; with a period no closed form
 //
 // Units: coordinates in cells. The noise is 0 at the lattice points; its gradient there is g_c,
 // but for fade=linear, which has a kink there.
-// Bound: noises/lattice/bounds.c. Mean 0, variance 0.0332853903 with the default settings; these and the
-// band are exact, noises/closed_forms.h.
+// Bound: noises/lattice/bounds.c. Mean 0, variance 0.0332853903 with the default settings; these
+// and the band are exact, noises/closed_forms.h.
 // NaN, infinity and coordinates beyond 2^62 give NaN; the fraction is lost from 2^52 on.
 //
 // Known defects: zeros on the whole lattice, and weaker noise on the lattice planes; slices through

@@ -23,8 +23,8 @@
 // The y axis has 6/5 of the slope of the two others (0.79 dB): a small anisotropy that the choice
 // of 16 costs; the trace, 2, is the same.
 //
-// Bound: that of the 12 edges with the quintic fade, 1.04, certified (noises/lattice/bounds.c; the largest
-// value is 1.0363538): |n| may pass 1. Mean 0, variance, band: exact for lattice=hash
+// Bound: that of the 12 edges with the quintic fade, 1.04, certified (noises/lattice/bounds.c; the
+// largest value is 1.0363538): |n| may pass 1. Mean 0, variance, band: exact for lattice=hash
 // (noises/closed_forms.h). Class C2: the quintic has two derivatives of 0 at both ends.
 // NaN, infinity and coordinates beyond 2^62 give NaN; the fraction is lost from 2^52 on.
 //

@@ -14,10 +14,11 @@
 //   offset      1/2 to 2; default 1: the height of the ridges, where the basis crosses 0
 //
 // Clamping. A removed octave has its mean height E (offset - |basis|)^2, measured on opening
-// (noises/octaves/octaves.h), instead of its ridges, and still the weight of the octave before. That keeps
-// the mean of the first removed octave, if it does not depend on the one before; those after
-// it lose the small difference between the mean of a weight and the weight of a mean. With the
-// defaults the mean is 1.3685 and, with all octaves removed, 1.3807 (each +- 0.001): 0.9 % more.
+// (noises/octaves/octaves.h), instead of its ridges, and still the weight of the octave before.
+// That keeps the mean of the first removed octave, if it does not depend on the one before; those
+// after it lose the small difference between the mean of a weight and the weight of a mean. With
+// the defaults the mean is 1.3685 and, with all octaves removed, 1.3807 (each +- 0.001): 0.9 %
+// more.
 //
 // Units and domain are those of fractalsum. Bound: between 0 and the sum of 1/f_i times the larger
 // of offset^2 and (offset - bound of the basis)^2, because the square is convex and weights are 1

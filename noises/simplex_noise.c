@@ -10,7 +10,8 @@
 // Back goes d_i = u_i - G sum_j u_j, G = (1 - 1/sqrt(n+1))/n.
 //
 // Parameters
-//   seed, lattice, component, period   the gradients (noises/lattice/lattice.h); the cells are those of
+//   seed, lattice, component, period   the gradients (noises/lattice/lattice.h); the cells are
+//                                      those of
 //            the skewed lattice. A period is a multiple of 3, and for dims=3 alone
 //   dims     n = 2 to 4, default 3: coordinates beyond them are ignored
 //   radius2  r2 = 0.5 (default), or 0.6 as is often seen
@@ -37,18 +38,18 @@
 //   r2 = 0.6   2-D 0.0288816, N = 34     3-D 0.0305849, N = 32     4-D 0.0367301, N = 26
 //
 // Mean 0. For r2 = 0.5 the sum is one over all points of the lattice, and covariance, variance,
-// density and band are exact (noises/lattice/simplex_theory.h) where no two cells share a number. They are
-// functions of the distance alone: over random places the noise is isotropic. The variance is the
-// same with any period, because 3 is more than the sqrt 2 that two gradients which meet are apart.
-// For r2 = 0.6 the kernel is cut to the shape of the simplices, and there is no closed form.
+// density and band are exact (noises/lattice/simplex_theory.h) where no two cells share a number.
+// They are functions of the distance alone: over random places the noise is isotropic. The variance
+// is the same with any period, because 3 is more than the sqrt 2 that two gradients which meet are
+// apart. For r2 = 0.6 the kernel is cut to the shape of the simplices, and there is no closed form.
 //
 // Period: what the key sets. Whole numbers shift the lattice into itself along an axis in 3-D by
 // multiples of 3 only (u moves by (4, 1, 1), F = 1/3), and in 2-D and 4-D never: F is irrational.
 // lattice=perm256 repeats after 256 in the skewed numbers: after 768 units in 3-D, never in 2-D and
 // 4-D.
 // NaN, infinity and coordinates beyond 2^62 give NaN. The skew is good to 2^-52 of a
-// cell everywhere (noises/lattice/simplex_place.h), so the noise is as good far out as near; from 2^52 on
-// coordinates are whole numbers.
+// cell everywhere (noises/lattice/simplex_place.h), so the noise is as good far out as near; from
+// 2^52 on coordinates are whole numbers.
 //
 // Known defects: N makes it weaker than gnoise; the variance depends on the place, 0 at the
 // corners; slices of the 3-D and 4-D noise are not 2-D noises and have another spectrum.

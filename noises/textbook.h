@@ -7,9 +7,10 @@
 // these share. All are `float`.
 //
 // Where the text uses random(), the tables hold the numbers that lattice=perm256 draws
-// (noises/lattice/lattice.h), and tiles are those of the noises. So most loops compute, up to rounding, the
-// very field of their noise with the settings that its descriptor names (`textbook_settings`), and
-// t-textbook holds them to it. The others draw otherwise and have its statistics:
+// (noises/lattice/lattice.h), and tiles are those of the noises. So most loops compute, up to
+// rounding, the very field of their noise with the settings that its descriptor names
+// (`textbook_settings`), and t-textbook holds them to it. The others draw otherwise and have its
+// statistics:
 //   scnoise       the text lets cells share impulses
 //   simplex       picks a gradient by the index itself
 //   gabor, spot   a generator a cell

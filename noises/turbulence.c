@@ -6,14 +6,14 @@
 //
 // Parameters
 //   seed, basis, min, max, width, clamp   as in fractalsum, of which see the head
-//   lost    what a removed octave leaves (noises/octaves/octaves.h): mean, its mean E|basis| / f, so that
-//           the sum keeps its mean at every width; or zero, as in the text, so that it gets darker
-//           with distance
+//   lost    what a removed octave leaves (noises/octaves/octaves.h): mean, its mean E|basis| / f,
+//           so that the sum keeps its mean at every width; or zero, as in the text, so that it gets
+//           darker with distance
 //
 // Units and domain are those of fractalsum. Bound: between 0 and the sum of 1/f times the bound of
 // the basis. Mean: the sum of E|basis|/f, of which no closed form is known, so it is not stated;
-// lost=mean measures E|basis| on opening (noises/octaves/octaves.h). Variance, band: not stated; the
-// folds have a spectrum of their own, which falls as f^-4 at a random crossing of 0 and is not
+// lost=mean measures E|basis| on opening (noises/octaves/octaves.h). Variance, band: not stated;
+// the folds have a spectrum of their own, which falls as f^-4 at a random crossing of 0 and is not
 // bounded by the octave's.
 // Class C0: the slope jumps wherever an octave crosses 0; that of a basis that is never negative
 // (rayshade), whose sizes are its values. Period: as for fractalsum, and a fold may

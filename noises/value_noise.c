@@ -22,8 +22,8 @@
 //            periods of 1 and 2 may be smoother than the class (a period of 1 is a constant)
 //
 // Units: coordinates in cells. Values v_c are uniform in (-1, 1). Bound: the largest sum of |k|
-// over the lattice, to the power of the dimensions (noises/lattice/bounds.c). Mean 0, variance 0.179973761
-// with the default settings; these and the band are exact, noises/closed_forms.h.
+// over the lattice, to the power of the dimensions (noises/lattice/bounds.c). Mean 0, variance
+// 0.179973761 with the default settings; these and the band are exact, noises/closed_forms.h.
 // NaN, infinity and coordinates beyond 2^62 give NaN; the fraction is lost from 2^52 on.
 //
 // Known defects: the spectrum is not isotropic, and energy below and around 0 cycles per cell is

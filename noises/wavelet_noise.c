@@ -6,8 +6,8 @@
 //   n(p) = sum_j c_j b(2x - j_x) b(2y - j_y) b(2z - j_z),    c = s (r - P r)
 //
 // b is the quadratic B-spline, r random of variance 1, nearly normal (bl_tile_numbers in
-// noises/tiles/tile.h), P the projection on the coarser splines, derived in noises/tiles/wavelet_tile.h: the
-// least squares over space, exact on the periodic tile.
+// noises/tiles/tile.h), P the projection on the coarser splines, derived in
+// noises/tiles/wavelet_tile.h: the least squares over space, exact on the periodic tile.
 //
 // Units: two numbers a unit, so that the highest frequency of the numbers is 1 cycle a unit, and
 // the noise is one octave, about 1/2 to 1.

@@ -81,9 +81,9 @@ typedef struct bl_property {
     const char *title;    // the column of the table: "isotropy"
     const char *entry;    // what stands in that column: "the shortest repeat, in units"
     const char *question; // what it asks, in one sentence
-    // Fills the result, which comes zeroed with verdict BL_VERDICT_NOT_RUN. Errors only where nothing
-    // could be measured at all (BL_DEVICE out of memory); a signal that cannot be judged is "not
-    // run" with its reason.
+    // Fills the result, which comes zeroed with verdict BL_VERDICT_NOT_RUN. Errors only where
+    // nothing could be measured at all (BL_DEVICE out of memory); a signal that cannot be judged is
+    // "not run" with its reason.
     bl_status (*measure)(const bl_score_subject *subject, const bl_score_settings *settings,
                          bl_score_property *result, bl_message *message);
 } bl_property;

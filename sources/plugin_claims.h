@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a function in a shared object states of itself (include/bandlimit_plugin.h, where it is called
-// its claims), asked for, checked and made the facts of the signal.
+// What a function in a shared object states of itself (include/bandlimit_plugin.h, where it is
+// called its claims), asked for, checked and made the facts of the signal.
 #ifndef BL_SOURCES_PLUGIN_CLAIMS_H
 #define BL_SOURCES_PLUGIN_CLAIMS_H
 

@@ -130,8 +130,8 @@ typedef struct bl_band_limit {
 // No leak at all is -INFINITY dB.
 void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit);
 
-// Whether anything is left to judge outside of the band: a bin other than that of frequency 0, which
-// holds only what is left of the mean, that lies wholly outside of the band and its guard.
+// Whether anything is left to judge outside of the band: a bin other than that of frequency 0,
+// which holds only what is left of the mean, that lies wholly outside of the band and its guard.
 int bl_psd_has_outside(const bl_psd *psd, const bl_band_limit *limit);
 
 // Half the width of the window's main lobe in cycles per unit: a guard of this size keeps the

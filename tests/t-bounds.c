@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The hard bounds of noises/lattice/bounds.c, each certified: the supremum over a cell of the sum of the
-// largest sizes that the terms can take lies below the constant, and within a stated slack of it.
+// The hard bounds of noises/lattice/bounds.c, each certified: the supremum over a cell of the sum
+// of the largest sizes that the terms can take lies below the constant, and within a stated slack
+// of it.
 //
 // Branch and bound: on a box the sum is at most the sum of the terms' own largest values there, and
 // at least its value at the centre. Boxes whose upper value is below the constant are done; the
@@ -95,8 +96,8 @@ static double gradient_upper(const box *at, const void *context) {
     return sum;
 }
 
-// Certified by search for the edges. For unit vectors the proof is in noises/lattice/bounds.c; here each of
-// its steps: e(t) <= 1/4 for every fade, and the middle reaches sqrt(3)/2.
+// Certified by search for the edges. For unit vectors the proof is in noises/lattice/bounds.c; here
+// each of its steps: e(t) <= 1/4 for every fade, and the middle reaches sqrt(3)/2.
 static void test_gradient_bounds(void **state) {
     (void)state;
     const bl_kernel weights[] = {BL_KERNEL_LINEAR, BL_KERNEL_SMOOTH, BL_KERNEL_QUINTIC};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The random numbers of the lattice, noises/lattice/lattice.h. Error rate: a true random function passes
-// every statistical limit below with probability above 1 - 1e-9 for all its comparisons together
-// (a normal deviate beyond `limit` standard deviations, Bonferroni over the comparisons).
+// The random numbers of the lattice, noises/lattice/lattice.h. Error rate: a true random function
+// passes every statistical limit below with probability above 1 - 1e-9 for all its comparisons
+// together (a normal deviate beyond `limit` standard deviations, Bonferroni over the comparisons).
 #include "tests/test.h"
 
 #include "core/hash.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The layer rule, read off the #include lines and off the symbols that the linker joins: each folder
-// knows only what stands above it, only core/fft.c knows FFTW, only core/oiio.cpp knows OpenImageIO;
-// every source has its licence.
+// The layer rule, read off the #include lines and off the symbols that the linker joins: each
+// folder knows only what stands above it, only core/fft.c knows FFTW, only core/oiio.cpp knows
+// OpenImageIO; every source has its licence.
 #include "tests/test.h"
 
 #include <dirent.h>

@@ -2,8 +2,8 @@
 //
 // The separable lattice noises (vnoise, gnoise, vgnoise, hermite) against brute force: the formula
 // at the head of each file, summed over all lattice points within three cells, with kernels written
-// here from the textbook and lattice numbers from noises/lattice/lattice.h. It shares with the noises
-// neither their cells, nor their loops, nor their kernels.
+// here from the textbook and lattice numbers from noises/lattice/lattice.h. It shares with the
+// noises neither their cells, nor their loops, nor their kernels.
 #include "tests/test.h"
 
 #include "core/hash.h"

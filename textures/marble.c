@@ -11,8 +11,8 @@
 //   filter   none
 //            clamp, fade   octaves beyond the Nyquist limit of the width are removed, at once or
 //            from
-//                     half the limit on (noises/octaves/octaves.h). What the map would have made of them is
-//                     lost: at last all is the one colour of m = 0
+//                     half the limit on (noises/octaves/octaves.h). What the map would have made of
+//                     them is lost: at last all is the one colour of m = 0
 //            map      fade, and the map is averaged over a normal distribution with the variance
 //                     that the octaves have lost, so that the mean colour stays
 //   width, component   see textures/texture.h

@@ -5,8 +5,9 @@
 //   t = top * width, the cycles of the highest frequency in a sample
 //   colour = mean + (point - mean) clamp((to - t) / (to - from), 0, 1)
 //
-// With the default ends it is the fade of a last octave (noises/octaves/octaves.h): whole up to half the
-// Nyquist limit, gone from the limit on. The width is the largest of all axes of the signal.
+// With the default ends it is the fade of a last octave (noises/octaves/octaves.h): whole up to
+// half the Nyquist limit, gone from the limit on. The width is the largest of all axes of the
+// signal.
 //
 // Parameters
 //   top       the highest frequency, cycles per unit; 0: where the signal's stated band ends, or

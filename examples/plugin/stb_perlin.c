@@ -30,8 +30,8 @@ BANDLIMIT_EXPORT void noise_claims(struct bandlimit_claims *claims) {
     claims->band_from = 0; // measured: -21.5 dB of the variance lie above 1
     claims->band_to = 1;
     claims->leak_db = -20;
-    // No class of continuity is stated, though the quintic fade is C2: places are floats, which between 128
-    // and 256 are 1.5e-5 apart, so the value goes in steps.
+    // No class of continuity is stated, though the quintic fade is C2: places are floats, which
+    // between 128 and 256 are 1.5e-5 apart, so the value goes in steps.
     claims->cell = 1;
     for (int a = 0; a < 4; a++)
         claims->period[a] = a < 3 ? 256 : 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The kernels' definitions. The coefficients are those of the textbook formulas in noises/lattice/kernel.h
-// multiplied out; t-kernel holds them to those formulas.
+// The kernels' definitions. The coefficients are those of the textbook formulas in
+// noises/lattice/kernel.h multiplied out; t-kernel holds them to those formulas.
 #include "noises/lattice/kernel.h"
 
 #include <pthread.h>

@@ -2,8 +2,8 @@
 //
 // The correlation of a kernel with itself, exact.
 //
-// Its jumps are products of the kernel's (noises/lattice/kernel.h). A piecewise polynomial that vanishes
-// right of its last knot is minus the sum of what still jumps:
+// Its jumps are products of the kernel's (noises/lattice/kernel.h). A piecewise polynomial that
+// vanishes right of its last knot is minus the sum of what still jumps:
 //     rho(t) = - sum over knots d > t and orders p of  jump(d, p) (t - d)^p / p!.
 // On [n, n+1] we expand each power about n + 1/2. The jumps are whole numbers below 2^53 (the
 // largest is 4320^2), and the sums are in long double; the coefficients of the quintic ramp, the

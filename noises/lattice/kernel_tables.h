@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the files of noises/lattice/kernel.h share: the pieces, the jumps and the correlation's pieces. The
-// tables are computed once, before the first use, and constant from then on.
+// What the files of noises/lattice/kernel.h share: the pieces, the jumps and the correlation's
+// pieces. The tables are computed once, before the first use, and constant from then on.
 #ifndef BL_NOISES_LATTICE_KERNEL_TABLES_H
 #define BL_NOISES_LATTICE_KERNEL_TABLES_H
 

@@ -2,10 +2,11 @@
 //
 // Simplex noise at scattered points, in float: gradients, and blocks of points.
 //
-// A block is placed once (noises/lattice/simplex_place.h): near points side by side, far ones, which are
-// put in afterwards, one by one. Corner k is one step further along the k axes of the least ranks,
-// so that the additive half of its key is that of corner 0 plus k steps, whichever these are. Where
-// cells stand for others (a period, lattice=perm256) the words are made point by point.
+// A block is placed once (noises/lattice/simplex_place.h): near points side by side, far ones,
+// which are put in afterwards, one by one. Corner k is one step further along the k axes of the
+// least ranks, so that the additive half of its key is that of corner 0 plus k steps, whichever
+// these are. Where cells stand for others (a period, lattice=perm256) the words are made point by
+// point.
 #ifndef BL_NOISES_LATTICE_SIMPLEX_POINTS_H
 #define BL_NOISES_LATTICE_SIMPLEX_POINTS_H
 

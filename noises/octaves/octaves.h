@@ -7,11 +7,11 @@
 //
 // with F the identity, the size |n|, or the ridge (offset - |n|)^2 weighted by the octave before.
 //
-// Clamping (filters/octave_fade.h). An octave's energy ends about at t = f_i * band_to, the frequency
-// of the octave times the band that its basis states (1 where it states none). An octave of weight 0 is not evaluated. What an octave loses goes to its mean:
-// F becomes k F + (1 - k) E[F]. Width 0 keeps all octaves, and so does any width so small that all
-// of them lie below half the limit; a huge or infinite width keeps none and leaves the constant
-// mean.
+// Clamping (filters/octave_fade.h). An octave's energy ends about at t = f_i * band_to, the
+// frequency of the octave times the band that its basis states (1 where it states none). An octave
+// of weight 0 is not evaluated. What an octave loses goes to its mean: F becomes k F + (1 - k)
+// E[F]. Width 0 keeps all octaves, and so does any width so small that all of them lie below half
+// the limit; a huge or infinite width keeps none and leaves the constant mean.
 //
 // E[F] is the basis's stated mean where F is the identity and the mean is stated; else it is
 // measured when the sum is opened, from 32 fresh seeds, 4096 random places each, the same for every

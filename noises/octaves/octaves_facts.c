@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a sum of octaves states about itself, from what its basis states: see noises/octaves/octaves.h.
+// What a sum of octaves states about itself, from what its basis states: see
+// noises/octaves/octaves.h.
 #include <math.h>
 #include <string.h>
 

@@ -219,8 +219,8 @@ double bl_tile_power(bl_tile_kernel kernel, double v) {
 }
 
 double bl_tile_gain(bl_tile_kernel kernel) {
-    // Catmull-Rom: noises/lattice/bounds.c. The others are not negative and add up to 1, the wide one,
-    // whose even and odd taps each do, to 2.
+    // Catmull-Rom: noises/lattice/bounds.c. The others are not negative and add up to 1, the wide
+    // one, whose even and odd taps each do, to 2.
     return kernel == BL_TILE_CATMULL_ROM ? 1.25 : kernel == BL_TILE_BSPLINE2_WIDE ? 2 : 1;
 }
 

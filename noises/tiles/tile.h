@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Tiles: noises that are made when they are opened, as a periodic grid of numbers, and read back by
-// a kernel. What is not hot: settings, making, the reference in double. noises/tiles/tile_points.h has
-// the loops in float.
+// a kernel. What is not hot: settings, making, the reference in double. noises/tiles/tile_points.h
+// has the loops in float.
 //
 //   n(p) = sum over the numbers j of  c_j  k_x(r x - j_x) k_y(r y - j_y) k_z(r z - j_z)
 //

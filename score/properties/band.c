@@ -6,7 +6,8 @@
 // averaged over random places and fresh seeds. Of each: the share of the variance above 1 cycle per
 // unit and from 0.3 to 0.7, the leak in dB of the variance outside of the band that is judged, and
 // the effective edges of the band: the lowest and the highest frequency whose density, smoothed
-// over 0.1 cycles per unit, is within 3 dB and within 30 dB of its peak (score/properties/band_edges.h).
+// over 0.1 cycles per unit, is within 3 dB and within 30 dB of its peak
+// (score/properties/band_edges.h).
 //
 // Judged is the leak along x, outside of the band and a guard of half the window's main lobe, by
 // one-sided limits at the property's share of alpha. Where they settle nothing a second look takes

@@ -6,8 +6,8 @@
 
 enum { LOOKS = 1024, FRESH = 9, FRESH_LOOKS = 32 };
 
-// The blocks of 2^24 streams that were given out first, by number; every other name has the block of
-// its hash (FNV-1a), which is none of these.
+// The blocks of 2^24 streams that were given out first, by number; every other name has the block
+// of its hash (FNV-1a), which is none of these.
 static uint64_t block_of(const char *property) {
     static const char *const first[] = {"look",  "period", "stationarity", "isotropy", "continuity",
                                         "seeds", "far",    "gradient",     "fresh"};

@@ -15,8 +15,8 @@
 #include "core/random.h"
 #include "score/score.h"
 
-// Random numbers of settings->seed for a property, by its name: streams 0 to 2^24 - 1 of its own, so
-// that no property moves another.
+// Random numbers of settings->seed for a property, by its name: streams 0 to 2^24 - 1 of its own,
+// so that no property moves another.
 bl_random bl_score_random(const bl_score_settings *settings, const char *property, uint64_t stream);
 
 typedef struct bl_score_look {

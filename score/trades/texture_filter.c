@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// texture-filter: the methods of sampling a texture, or anything else that filters itself, under a view
-// (aliasing/alias.h): its own filters, one point, more points, and the mean.
+// texture-filter: the methods of sampling a texture, or anything else that filters itself, under a
+// view (aliasing/alias.h): its own filters, one point, more points, and the mean.
 //
 // Error: the root mean square of the luminance against the converged image of a box pixel. The
 // interval is that of the reference's own error. A sample is a pixel.
