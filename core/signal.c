@@ -123,11 +123,15 @@ void bl_signal_row(const bl_signal *signal, const double start[BL_AXES], const d
         signal->functions->row(signal->parameters, start, step, count, out);
         return;
     }
-    for (size_t i = 0; i < count; i++) {
-        double at[BL_AXES];
+    double at[BL_AXES][BL_BATCH], value[BL_BATCH];
+    for (size_t done = 0, here; done < count; done += here) {
+        here = count - done < BL_BATCH ? count - done : BL_BATCH;
         for (int a = 0; a < BL_AXES; a++)
-            at[a] = start[a] + (double)i * step[a];
-        out[i] = (float)bl_signal_value(signal, at);
+            for (size_t i = 0; i < here; i++)
+                at[a][i] = start[a] + (double)(done + i) * step[a];
+        bl_signal_values(signal, (const double *const[]){at[0], at[1], at[2], at[3]}, here, value);
+        for (size_t i = 0; i < here; i++)
+            out[done + i] = (float)value[i];
     }
 }
 
@@ -137,28 +141,82 @@ void bl_signal_points(const bl_signal *signal, const double *const at[BL_AXES], 
         signal->functions->points(signal->parameters, at, count, out);
         return;
     }
-    for (size_t i = 0; i < count; i++) {
-        const double place[BL_AXES] = {at[0][i], at[1][i], at[2][i], at[3][i]};
-        out[i] = (float)bl_signal_value(signal, place);
+    double value[BL_BATCH];
+    for (size_t done = 0, here; done < count; done += here) {
+        here = count - done < BL_BATCH ? count - done : BL_BATCH;
+        bl_signal_values(
+            signal, (const double *const[]){at[0] + done, at[1] + done, at[2] + done, at[3] + done},
+            here, value);
+        for (size_t i = 0; i < here; i++)
+            out[done + i] = (float)value[i];
     }
 }
 
 double bl_signal_value(const bl_signal *signal, const double at[BL_AXES]) {
-    return signal->functions->value(signal->parameters, at);
+    if (signal->functions->value)
+        return signal->functions->value(signal->parameters, at);
+    double value;
+    signal->functions->values(signal->parameters,
+                              (const double *const[]){&at[0], &at[1], &at[2], &at[3]}, 1, &value);
+    return value;
+}
+
+void bl_signal_values(const bl_signal *signal, const double *const at[BL_AXES], size_t count,
+                      double *out) {
+    if (signal->functions->values) {
+        signal->functions->values(signal->parameters, at, count, out);
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const double place[BL_AXES] = {at[0][i], at[1][i], at[2][i], at[3][i]};
+        out[i] = signal->functions->value(signal->parameters, place);
+    }
+}
+
+void bl_signal_filtered_values(const bl_signal *signal, const bl_samples *samples, double *out) {
+    if (signal->functions->filtered)
+        signal->functions->filtered(signal->parameters, samples, out);
+    else
+        bl_signal_values(signal, samples->at, samples->count, out);
+}
+
+void bl_signal_colours(const bl_signal *signal, const bl_samples *samples, double *rgb) {
+    if (signal->functions->colour) {
+        signal->functions->colour(signal->parameters, samples, rgb);
+        return;
+    }
+    double value[BL_BATCH];
+    for (size_t done = 0; done < samples->count; done += BL_BATCH) {
+        const bl_samples part = bl_samples_part(samples, done, BL_BATCH);
+        bl_signal_filtered_values(signal, &part, value);
+        for (size_t i = 0; i < part.count; i++)
+            for (size_t c = 0; c < 3; c++)
+                rgb[3 * (done + i) + c] = value[i];
+    }
 }
 
 double bl_signal_filtered(const bl_signal *signal, const double at[BL_AXES],
                           const double width[BL_AXES]) {
-    return signal->functions->filtered ? signal->functions->filtered(signal->parameters, at, width)
-                                       : bl_signal_value(signal, at);
+    const bl_footprint footprint = bl_footprint_of_widths(width);
+    double value;
+    bl_signal_filtered_values(
+        signal, &(const bl_samples){{&at[0], &at[1], &at[2], &at[3]}, &footprint, 0, 1}, &value);
+    return value;
 }
 
 void bl_signal_colour(const bl_signal *signal, const double at[BL_AXES],
                       const double width[BL_AXES], double rgb[3]) {
-    if (signal->functions->colour)
-        signal->functions->colour(signal->parameters, at, width, rgb);
-    else
-        rgb[0] = rgb[1] = rgb[2] = bl_signal_filtered(signal, at, width);
+    const bl_footprint footprint = bl_footprint_of_widths(width);
+    bl_signal_colours(signal,
+                      &(const bl_samples){{&at[0], &at[1], &at[2], &at[3]}, &footprint, 0, 1}, rgb);
+}
+
+void bl_values_of_width(void (*filtered)(const void *, const bl_samples *, double *),
+                        const void *parameters, double width, const double *const at[BL_AXES],
+                        size_t count, double *out) {
+    const bl_footprint footprint = bl_footprint_of_width(width);
+    filtered(parameters, &(const bl_samples){{at[0], at[1], at[2], at[3]}, &footprint, 0, count},
+             out);
 }
 
 bl_status bl_signal_complaint(const bl_signal *signal, bl_message *message) {

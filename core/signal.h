@@ -12,9 +12,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/footprint.h"
 #include "core/status.h"
-
-enum { BL_AXES = 4 }; // x, y, z, w
 
 typedef struct bl_signal bl_signal;
 
@@ -29,8 +28,13 @@ typedef struct bl_signal_functions {
     // Fills out[i] with the value at (at[0][i], at[1][i], ...); all BL_AXES arrays are readable.
     void (*points)(const void *parameters, const double *const at[BL_AXES], size_t count,
                    float *out);
-    // The reference: the value at one point, in double throughout.
+    // The reference: the value at one point, in double throughout. Optional where `values` is there.
     double (*value)(const void *parameters, const double at[BL_AXES]);
+    // Optional: the same at many places, for signals that make something once for all of them; bit
+    // for bit what each place gives alone. Fills out[i] with the value at (at[0][i], ...); all
+    // BL_AXES arrays are readable.
+    void (*values)(const void *parameters, const double *const at[BL_AXES], size_t count,
+                   double *out);
     // Optional: the analytic gradient at one point.
     void (*gradient)(const void *parameters, const double at[BL_AXES], double out[BL_AXES]);
     // Optional (see bl_signal.closed_form): the autocovariance E[n(p) n(p+lag)] over places and
@@ -42,13 +46,13 @@ typedef struct bl_signal_functions {
     // dimensions, two-sided, value^2 per (cycle per unit)^dims; its integral is the variance. Not
     // to be asked for where bl_signal_has_density says that there is none.
     double (*density)(const void *parameters, const double frequency[BL_AXES]);
-    // Optional: the value as the signal's own means filter it for samples that stand `width` apart
-    // along each axis, centred at a point. Width 0 is the value itself, infinite width the mean.
-    double (*filtered)(const void *parameters, const double at[BL_AXES],
-                       const double width[BL_AXES]);
-    // Optional: the linear red, green and blue that the value is a component of, filtered likewise.
-    void (*colour)(const void *parameters, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]);
+    // Optional: fills out[i] with the value as the signal's own means filter it for the footprint
+    // of sample i, centred at its place. A point gives the value itself, a whole footprint the
+    // mean. A sample's value does not depend on the others of its batch.
+    void (*filtered)(const void *parameters, const bl_samples *samples, double *out);
+    // Optional: fills rgb[3 i] and the two behind it with the linear red, green and blue that the
+    // value is a component of, filtered likewise.
+    void (*colour)(const void *parameters, const bl_samples *samples, double *rgb);
     // Optional: makes what the parameter block refers to (a tile, another signal) from the settings
     // in it. The library calls it once for a block, on opening and on reseeding; a failed call
     // leaves nothing to release.
@@ -134,13 +138,24 @@ void bl_signal_row(const bl_signal *signal, const double start[BL_AXES], const d
 void bl_signal_points(const bl_signal *signal, const double *const at[BL_AXES], size_t count,
                       float *out);
 double bl_signal_value(const bl_signal *signal, const double at[BL_AXES]);
-// The filtered value; of a signal that cannot filter itself the plain value.
+void bl_signal_values(const bl_signal *signal, const double *const at[BL_AXES], size_t count,
+                      double *out);
+// The filtered values; of a signal that cannot filter itself the plain ones.
+void bl_signal_filtered_values(const bl_signal *signal, const bl_samples *samples, double *out);
+// The filtered colours, 3 numbers a sample; of a signal without them its filtered value thrice.
+void bl_signal_colours(const bl_signal *signal, const bl_samples *samples, double *rgb);
+// The same of one sample, upright and of these widths.
 double bl_signal_filtered(const bl_signal *signal, const double at[BL_AXES],
                           const double width[BL_AXES]);
-// The filtered colour; of a signal without one its filtered value thrice.
 void bl_signal_colour(const bl_signal *signal, const double at[BL_AXES],
                       const double width[BL_AXES], double rgb[3]);
 bl_status bl_signal_complaint(const bl_signal *signal, bl_message *message);
+
+// The ability `values` of a signal that is nothing but filtered for a width in its block: upright,
+// the same along every axis and at every place.
+void bl_values_of_width(void (*filtered)(const void *, const bl_samples *, double *),
+                        const void *parameters, double width, const double *const at[BL_AXES],
+                        size_t count, double *out);
 
 // The size of coordinates below which a signal of the library has values, by what it states: 2^62
 // units, or less for one that scales coordinates up, whose finest cell, 2^-52 facts.far to a factor

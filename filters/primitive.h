@@ -87,20 +87,23 @@ double bl_periods(double x, double period);
 
 // In a primitive's file, after `static double average(const block *, const bl_filter *filter,
 // double x, double width)`, which knows no anchor: the abilities of the signal, for its definition
-// as .functions = BL_PRIMITIVE_FUNCTIONS.
+// as .functions = {BL_PRIMITIVE_FUNCTIONS}.
 #define BL_PRIMITIVE_ABILITIES(block)                                                              \
-    static double filtered(const void *parameters, const double at[BL_AXES],                       \
-                           const double width[BL_AXES]) {                                          \
+    static void filtered(const void *parameters, const bl_samples *samples, double *out) {         \
         const block *p = parameters;                                                               \
-        return average(p, bl_filter_at(p->averaging.filter),                                       \
-                       bl_averaging_centre(&p->averaging, at[0], width[0]), width[0]);             \
+        const bl_filter *filter = bl_filter_at(p->averaging.filter);                               \
+        for (size_t i = 0; i < samples->count; i++) {                                              \
+            double width = bl_samples_footprint(samples, i)->width[0];                             \
+            out[i] = average(p, filter,                                                            \
+                             bl_averaging_centre(&p->averaging, samples->at[0][i], width), width); \
+        }                                                                                          \
     }                                                                                              \
-    static double value(const void *parameters, const double at[BL_AXES]) {                        \
-        const double width[BL_AXES] = {((const block *)parameters)->averaging.width};              \
-        return filtered(parameters, at, width);                                                    \
+    static void values(const void *parameters, const double *const at[BL_AXES], size_t count,      \
+                       double *out) {                                                              \
+        bl_values_of_width(filtered, parameters, ((const block *)parameters)->averaging.width, at, \
+                           count, out);                                                            \
     }
-#define BL_PRIMITIVE_FUNCTIONS                                                                     \
-    { .value = value, .filtered = filtered }
+#define BL_PRIMITIVE_FUNCTIONS .values = values, .filtered = filtered
 
 // Names the definition of a primitive's file: BL_PRIMITIVE_DESCRIPTOR(step) = {...};
 #define BL_PRIMITIVE_DESCRIPTOR(stem)                                                              \

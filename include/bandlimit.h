@@ -11,6 +11,7 @@ extern "C" {
 
 #include "core/version.h"
 #include "core/status.h"
+#include "core/footprint.h"
 #include "core/signal.h"
 #include "core/grid.h"
 #include "core/grammar.h"

@@ -15,17 +15,20 @@ static double sinc(double f) {
     return f == 0 ? 1 : sin(M_PI * f) / (M_PI * f);
 }
 
-static double filtered(const void *block, const double at[BL_AXES], const double width[BL_AXES]) {
+static void filtered(const void *block, const bl_samples *samples, double *out) {
     const ripple_parameters *p = block;
-    double wave = p->amplitude * cos(2 * M_PI * (p->fx * at[0] + p->fy * at[1]));
-    if (p->filter > 0)
-        wave *= sinc(p->fx * width[0]) * sinc(p->fy * width[1]);
-    return p->mean + (p->filter == 2 ? wave * 2 / 3 : wave);
+    for (size_t i = 0; i < samples->count; i++) {
+        const double *width = bl_samples_footprint(samples, i)->width;
+        double turns = p->fx * samples->at[0][i] + p->fy * samples->at[1][i];
+        double wave = p->amplitude * cos(2 * M_PI * turns);
+        if (p->filter > 0)
+            wave *= sinc(p->fx * width[0]) * sinc(p->fy * width[1]);
+        out[i] = p->mean + (p->filter == 2 ? wave * 2 / 3 : wave);
+    }
 }
 
-static double value(const void *block, const double at[BL_AXES]) {
-    static const double none[BL_AXES] = {0};
-    return filtered(block, at, none);
+static void values(const void *block, const double *const at[BL_AXES], size_t count, double *out) {
+    bl_values_of_width(filtered, block, 0, at, count, out);
 }
 
 static void describe(const void *block, bl_facts *facts) {
@@ -62,7 +65,7 @@ static const bl_definition ripple = {.name = "ripple",
                                      .parameters_size = sizeof(ripple_parameters),
                                      .seed_offset = SIZE_MAX,
                                      .describe = describe,
-                                     .functions = {.value = value, .filtered = filtered}};
+                                     .functions = {.values = values, .filtered = filtered}};
 
 bl_signal *bl_test_ripple(double mean, double amplitude, double fx, double fy) {
     char text[160];

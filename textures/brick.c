@@ -73,18 +73,16 @@ static double share_of_brick(const brick_parameters *p, const double at[BL_AXES]
     return product;
 }
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
-    const brick_parameters *p = block;
+static bl_colour see(const brick_parameters *p, const double at[BL_AXES],
+                     const bl_footprint *footprint) {
     const bl_brick brick = bl_brick_of(&p->sizes);
-    int all = bl_is_all(width, 2) || (p->seeing.filter == MEAN && bl_has_width(width, 2));
-    double share = all ? bl_brick_share(&brick) : share_of_brick(p, at, width);
-    bl_colour_put(bl_is_place(at, 2) ? bl_colour_mix(bl_mortar_colour, bl_brick_colour, share)
-                                     : bl_colour_missing,
-                  rgb);
+    int all = bl_footprint_is_whole(footprint, 2) ||
+              (p->seeing.filter == MEAN && bl_footprint_widest(footprint, 2) > 0);
+    double share = all ? bl_brick_share(&brick) : share_of_brick(p, at, footprint->width);
+    return bl_colour_mix(bl_mortar_colour, bl_brick_colour, share);
 }
 
-BL_TEXTURE_ABILITIES(brick_parameters)
+BL_TEXTURE_ABILITIES(brick_parameters, 2)
 
 static void describe(const void *block, bl_facts *facts) {
     const brick_parameters *p = block;

@@ -99,26 +99,21 @@ static bl_colour shade(const bump_brick_parameters *p, const double at[BL_AXES],
                          0.25 + 0.75 * fmax(towards, 0));
 }
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
-    static const double point[BL_AXES] = {0};
-    const bump_brick_parameters *p = block;
+static bl_colour see(const bump_brick_parameters *p, const double at[BL_AXES],
+                     const bl_footprint *footprint) {
     const bl_brick brick = bl_brick_of(&p->sizes);
-    bl_colour seen = bl_colour_missing;
-    if (!bl_is_place(at, 2)) {
-    } else if (bl_is_all(width, 2)) {
-        seen = p->mean;
-    } else {
-        seen = shade(p, at, p->seeing.filter == SLOPE ? width : point);
-        if (p->seeing.filter == FADE)
-            seen = bl_colour_mix(
-                p->mean, seen,
-                bl_octave_kept(1 / brick.size[1], BL_CLAMP_FADE, bl_widest(width, 2)));
-    }
-    bl_colour_put(seen, rgb);
+    if (bl_footprint_is_whole(footprint, 2))
+        return p->mean;
+    bl_colour seen =
+        shade(p, at, p->seeing.filter == SLOPE ? footprint->width : bl_footprint_point.width);
+    if (p->seeing.filter != FADE)
+        return seen;
+    return bl_colour_mix(
+        p->mean, seen,
+        bl_octave_kept(1 / brick.size[1], BL_CLAMP_FADE, bl_footprint_widest(footprint, 2)));
 }
 
-BL_TEXTURE_ABILITIES(bump_brick_parameters)
+BL_TEXTURE_ABILITIES(bump_brick_parameters, 2)
 
 // Rows differ by their shift alone, which a mean does not see.
 static bl_status build(void *block, bl_message *message) {
@@ -131,8 +126,7 @@ static bl_status build(void *block, bl_message *message) {
         for (int i = 0; i < PLACES; i++) {
             const double at[BL_AXES] = {(i + 0.5) / PLACES * brick.size[0],
                                         (j + 0.5) / PLACES * brick.size[1]};
-            const double width[BL_AXES] = {0};
-            bl_colour seen = shade(p, at, width);
+            bl_colour seen = shade(p, at, bl_footprint_point.width);
             for (int c = 0; c < 3; c++)
                 sum.rgb[c] += seen.rgb[c] / ((double)PLACES * PLACES);
         }

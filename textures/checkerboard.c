@@ -38,28 +38,26 @@ static const char *const filter_words[] = {"none", "exact", "fade", "mean", NULL
 static const bl_colour dark = {{0.05, 0.05, 0.05}}, light = {{0.9, 0.9, 0.9}};
 
 static double share_of_light(const checkerboard_parameters *p, const double at[BL_AXES],
-                             const double width[BL_AXES]) {
+                             const bl_footprint *footprint) {
     double product = 1;
     for (int a = 0; a < 2; a++) {
-        double period = 2 * p->size, w = p->seeing.filter == EXACT ? width[a] / period : 0;
+        double period = 2 * p->size,
+               w = p->seeing.filter == EXACT ? footprint->width[a] / period : 0;
         product *= 2 * bl_pulse_train_average(&bl_filter_box, 0, 0.5, at[a] / period, w) - 1;
     }
     if (p->seeing.filter == FADE)
-        product *= bl_octave_kept(0.5 / p->size, BL_CLAMP_FADE, bl_widest(width, 2));
+        product *= bl_octave_kept(0.5 / p->size, BL_CLAMP_FADE, bl_footprint_widest(footprint, 2));
     return 0.5 + 0.5 * product;
 }
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
-    const checkerboard_parameters *p = block;
-    int all = bl_is_all(width, 2) || (p->seeing.filter == MEAN && bl_has_width(width, 2));
-    bl_colour_put(bl_is_place(at, 2)
-                      ? bl_colour_mix(dark, light, all ? 0.5 : share_of_light(p, at, width))
-                      : bl_colour_missing,
-                  rgb);
+static bl_colour see(const checkerboard_parameters *p, const double at[BL_AXES],
+                     const bl_footprint *footprint) {
+    int all = bl_footprint_is_whole(footprint, 2) ||
+              (p->seeing.filter == MEAN && bl_footprint_widest(footprint, 2) > 0);
+    return bl_colour_mix(dark, light, all ? 0.5 : share_of_light(p, at, footprint));
 }
 
-BL_TEXTURE_ABILITIES(checkerboard_parameters)
+BL_TEXTURE_ABILITIES(checkerboard_parameters, 2)
 
 static void describe(const void *block, bl_facts *facts) {
     const checkerboard_parameters *p = block;

@@ -73,22 +73,19 @@ static double sum_of_terms(const cloud_plane_parameters *p, const double at[BL_A
     return sum;
 }
 
-static bl_colour see(const cloud_plane_parameters *p, const double at[BL_AXES], double width) {
+static bl_colour colour_at(const cloud_plane_parameters *p, const double at[BL_AXES],
+                           double width) {
     double share = p->contrast * sum_of_terms(p, at, width);
     return bl_colour_mix(sky, cloud, share <= 0 ? 0 : share >= 1 ? 1 : share);
 }
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
-    const cloud_plane_parameters *p = block;
-    bl_colour seen = bl_colour_missing;
-    double widest = bl_widest(width, 2);
-    if (bl_is_place(at, 2) && !isnan(widest))
-        seen = bl_is_all(width, 2) ? p->mean : see(p, at, widest);
-    bl_colour_put(seen, rgb);
+static bl_colour see(const cloud_plane_parameters *p, const double at[BL_AXES],
+                     const bl_footprint *footprint) {
+    double widest = bl_footprint_widest(footprint, 2);
+    return bl_footprint_is_whole(footprint, 2) ? p->mean : colour_at(p, at, widest);
 }
 
-BL_TEXTURE_ABILITIES(cloud_plane_parameters)
+BL_TEXTURE_ABILITIES(cloud_plane_parameters, 2)
 
 static void release(void *block) {
     cloud_plane_parameters *p = block;
@@ -105,7 +102,7 @@ static bl_colour mean_of(const cloud_plane_parameters *p) {
     for (int j = 0; j < PLACES; j++)
         for (int i = 0; i < PLACES; i++) {
             const double at[BL_AXES] = {1000 * (i + 0.5) / PLACES, 1000 * (j + 0.5) / PLACES};
-            bl_colour seen = see(p, at, 0);
+            bl_colour seen = colour_at(p, at, 0);
             for (int c = 0; c < 3; c++)
                 mean.rgb[c] += seen.rgb[c] / ((double)PLACES * PLACES);
         }

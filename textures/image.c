@@ -86,29 +86,29 @@ static bl_texels_reading reading_of(uint32_t filter) {
     return filter < SAT ? (bl_texels_reading)filter : BL_TEXELS_POINT;
 }
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
-    const image_parameters *p = block;
-    double widest = bl_widest(width, 3), place[2] = {at[0], at[1]}, span[2] = {width[0], width[1]};
-    bl_colour seen = bl_colour_missing;
+static bl_colour see(const image_parameters *p, const double at[BL_AXES],
+                     const bl_footprint *footprint) {
+    const double *width = footprint->width;
+    double widest = bl_footprint_widest(footprint, 3);
+    double place[2] = {at[0], at[1]}, span[2] = {width[0], width[1]};
+    bl_colour seen;
     int is_exact = p->seeing.filter == SAT && p->amount == 0; // of a box that is endless one way
-    if (!bl_is_place(at, 3) || isnan(widest)) {
-    } else if (bl_is_all(width, 3) || (p->seeing.filter == MEAN && widest > 0) ||
-               (isinf(widest) && p->seeing.filter != NONE && !is_exact)) {
+    if (bl_footprint_is_whole(footprint, 3) || (p->seeing.filter == MEAN && widest > 0) ||
+        (isinf(widest) && p->seeing.filter != NONE && !is_exact)) {
         bl_texels_mean(p->texels, seen.rgb);
     } else {
         if (p->amount > 0)
-            move(p, at, p->seeing.filter == NONE ? (const double[BL_AXES]){0} : width, place, span);
+            move(p, at, p->seeing.filter == NONE ? bl_footprint_point.width : width, place, span);
         if (p->seeing.filter == SAT && fmax(span[0], span[1]) > 0)
             look_in_tables(p, place, span, seen.rgb);
         else
             bl_texels_look(p->texels, place[0], place[1], span[0], span[1],
                            reading_of(p->seeing.filter), seen.rgb);
     }
-    bl_colour_put(seen, rgb);
+    return seen;
 }
 
-BL_TEXTURE_ABILITIES(image_parameters)
+BL_TEXTURE_ABILITIES(image_parameters, 3)
 
 static bl_status make_tables(image_parameters *p, bl_message *message) {
     size_t size[2];

@@ -81,7 +81,7 @@ static double lost_variance(const marble_parameters *p, double width) {
     return lost;
 }
 
-static bl_colour see(const marble_parameters *p, const double at[BL_AXES], double width) {
+static bl_colour colour_at(const marble_parameters *p, const double at[BL_AXES], double width) {
     const double place[BL_AXES] = {at[0] * p->scale, at[1] * p->scale, at[2] * p->scale};
     double cells = p->seeing.filter == NONE ? 0 : width * p->scale;
     double m = bl_octaves_value_for_width(p->sum, place, cells);
@@ -91,20 +91,16 @@ static bl_colour see(const marble_parameters *p, const double at[BL_AXES], doubl
         bl_colour_spline_normal(&map, 2 * m + 0.75, 2 * sqrt(lost_variance(p, cells))));
 }
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
-    const marble_parameters *p = block;
-    bl_colour seen = bl_colour_missing;
-    double widest = bl_widest(width, 3);
-    if (bl_is_place(at, 3) && bl_is_all(width, 3))
-        seen = bl_colour_clamp(
+static bl_colour see(const marble_parameters *p, const double at[BL_AXES],
+                     const bl_footprint *footprint) {
+    double widest = bl_footprint_widest(footprint, 3);
+    if (bl_footprint_is_whole(footprint, 3))
+        return bl_colour_clamp(
             bl_colour_spline_normal(&map, 0.75, 2 * sqrt(lost_variance(p, INFINITY))));
-    else if (bl_is_place(at, 3) && !isnan(widest))
-        seen = see(p, at, widest);
-    bl_colour_put(seen, rgb);
+    return colour_at(p, at, widest);
 }
 
-BL_TEXTURE_ABILITIES(marble_parameters)
+BL_TEXTURE_ABILITIES(marble_parameters, 3)
 
 static void release(void *block) {
     marble_parameters *p = block;

@@ -50,29 +50,29 @@ static const bl_colour knots[] = {BROWN,
                                   {{0, 0, 0}}};
 static const bl_colour_spline sky = {knots, sizeof knots / sizeof *knots};
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
-    const metallic_parameters *p = block;
+static bl_colour see(const metallic_parameters *p, const double at[BL_AXES],
+                     const bl_footprint *footprint) {
     // The ratio of the squares overflows for no place up to 2^62, and is exact in its sign.
     double length = sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
     double altitude = 0.5 + 0.5 * at[2] / length;
-    bl_colour seen = bl_colour_missing;
-    if (!bl_is_place(at, 3) || !(length > 0)) {
-    } else if (bl_is_all(width, 3)) {
+    bl_colour seen;
+    if (!(length > 0))
+        return bl_colour_missing;
+    if (bl_footprint_is_whole(footprint, 3)) {
         seen = bl_colour_spline_mean(&sky, 0.5, 1);
     } else if (p->seeing.filter == INTEGRAL) {
         // No direction is higher than straight up, so no width is more than all altitudes.
-        double half = 0.25 * width[2] / length;
+        double half = 0.25 * footprint->width[2] / length;
         double from = fmax(altitude - half, 0), to = fmin(altitude + half, 1);
         seen = isnan(half) ? bl_colour_missing
                            : bl_colour_spline_mean(&sky, 0.5 * (from + to), to - from);
     } else {
         seen = bl_colour_spline_at(&sky, altitude);
     }
-    bl_colour_put(bl_colour_clamp(seen), rgb);
+    return bl_colour_clamp(seen);
 }
 
-BL_TEXTURE_ABILITIES(metallic_parameters)
+BL_TEXTURE_ABILITIES(metallic_parameters, 3)
 
 static void describe(const void *block, bl_facts *facts) {
     const metallic_parameters *p = block;

@@ -76,20 +76,16 @@ static double share_of_brick(const perturbed_brick_parameters *p, const double a
            bl_pulse_train_average(&bl_filter_box, brick.edge[1], 1 - brick.edge[1], t, width_t);
 }
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
-    const perturbed_brick_parameters *p = block;
+static bl_colour see(const perturbed_brick_parameters *p, const double at[BL_AXES],
+                     const bl_footprint *footprint) {
     const bl_brick brick = bl_brick_of(&p->sizes);
-    bl_colour seen = bl_colour_missing;
-    if (bl_is_place(at, 2)) {
-        int all = bl_is_all(width, 2) || (p->seeing.filter == MEAN && bl_has_width(width, 2));
-        double share = all ? bl_brick_share(&brick) : share_of_brick(p, at, width);
-        seen = bl_colour_mix(bl_mortar_colour, bl_brick_colour, share);
-    }
-    bl_colour_put(seen, rgb);
+    int all = bl_footprint_is_whole(footprint, 2) ||
+              (p->seeing.filter == MEAN && bl_footprint_widest(footprint, 2) > 0);
+    double share = all ? bl_brick_share(&brick) : share_of_brick(p, at, footprint->width);
+    return bl_colour_mix(bl_mortar_colour, bl_brick_colour, share);
 }
 
-BL_TEXTURE_ABILITIES(perturbed_brick_parameters)
+BL_TEXTURE_ABILITIES(perturbed_brick_parameters, 2)
 
 static bl_status build(void *block, bl_message *message) {
     perturbed_brick_parameters *p = block;

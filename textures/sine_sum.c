@@ -52,16 +52,14 @@ static double sum_of_waves(const sine_sum_parameters *p, double s, double width)
     return all > 0 ? sum / all : 0;
 }
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
-    int all = isinf(width[0]);
-    double grey = all ? 0.5 : 0.5 + 0.5 * sum_of_waves(block, at[0], width[0]);
-    if (!bl_is_place(at, 1) || isnan(width[0]))
-        grey = NAN;
-    bl_colour_put((bl_colour){{grey, grey, grey}}, rgb);
+static bl_colour see(const sine_sum_parameters *p, const double at[BL_AXES],
+                     const bl_footprint *footprint) {
+    double width = footprint->width[0];
+    double grey = isinf(width) ? 0.5 : 0.5 + 0.5 * sum_of_waves(p, at[0], width);
+    return (bl_colour){{grey, grey, grey}};
 }
 
-BL_TEXTURE_ABILITIES(sine_sum_parameters)
+BL_TEXTURE_ABILITIES(sine_sum_parameters, 1)
 
 static bl_status validate(const void *block, bl_message *message) {
     const sine_sum_parameters *p = block;

@@ -52,15 +52,12 @@ static double share_of_star(const star_parameters *p, const double at[BL_AXES],
         &star, p->seeing.filter == EXACT ? BL_EDGE_SHARP : (bl_edge)p->seeing.filter, s, t, width);
 }
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
-    bl_colour seen = bl_colour_missing;
-    if (bl_is_place(at, 2))
-        seen = bl_colour_mix(field_colour, star_colour, share_of_star(block, at, width));
-    bl_colour_put(seen, rgb);
+static bl_colour see(const star_parameters *p, const double at[BL_AXES],
+                     const bl_footprint *footprint) {
+    return bl_colour_mix(field_colour, star_colour, share_of_star(p, at, footprint->width));
 }
 
-BL_TEXTURE_ABILITIES(star_parameters)
+BL_TEXTURE_ABILITIES(star_parameters, 2)
 
 static bl_status validate(const void *block, bl_message *message) {
     const star_parameters *p = block;

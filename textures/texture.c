@@ -50,6 +50,26 @@ void bl_colour_put(bl_colour colour, double rgb[3]) {
     memcpy(rgb, colour.rgb, sizeof colour.rgb);
 }
 
+int bl_texture_is_seen(const double at[BL_AXES], const bl_footprint *footprint,
+                       unsigned dimensions) {
+    for (unsigned a = 0; a < dimensions; a++)
+        if (!(fabs(at[a]) <= 0x1p62) || isnan(footprint->width[a]))
+            return 0;
+    return 1;
+}
+
+void bl_texture_filtered(void (*colour)(const void *, const bl_samples *, double *),
+                         const void *parameters, uint32_t component, const bl_samples *samples,
+                         double *out) {
+    double rgb[3 * BL_BATCH];
+    for (size_t done = 0; done < samples->count; done += BL_BATCH) {
+        const bl_samples part = bl_samples_part(samples, done, BL_BATCH);
+        colour(parameters, &part, rgb);
+        for (size_t i = 0; i < part.count; i++)
+            out[done + i] = bl_colour_component(rgb + 3 * i, component);
+    }
+}
+
 void bl_texture_bound(bl_facts *facts, uint32_t component, const bl_colour *colours, size_t count,
                       const char *proof) {
     facts->lower = INFINITY;

@@ -72,21 +72,48 @@ void bl_texture_bound(bl_facts *facts, uint32_t component, const bl_colour *colo
 // States the component of the mean colour.
 void bl_texture_mean(bl_facts *facts, uint32_t component, bl_colour mean);
 
-// In a texture's file, after `static void colour(const void *, const double at[BL_AXES],
-// const double width[BL_AXES], double rgb[3])`: the other abilities of the signal, for its
-// definition as .functions = {BL_TEXTURE_FUNCTIONS}.
-#define BL_TEXTURE_ABILITIES(block)                                                                \
-    static double filtered(const void *parameters, const double at[BL_AXES],                       \
-                           const double width[BL_AXES]) {                                          \
-        double rgb[3];                                                                             \
-        colour(parameters, at, width, rgb);                                                        \
-        return bl_colour_component(rgb, ((const block *)parameters)->seeing.component);            \
+// Whether a texture has a value: the place is finite and no larger than noises take, and the widths
+// along its axes are known.
+int bl_texture_is_seen(const double at[BL_AXES], const bl_footprint *footprint,
+                       unsigned dimensions);
+
+// The abilities of the signal, for its definition as .functions = {BL_TEXTURE_FUNCTIONS}. In a
+// texture's file, BL_TEXTURE_ABILITIES(block, dimensions) stands after one function for a sample
+// where it is seen, `static bl_colour see(const block *, const double at[BL_AXES], const
+// bl_footprint *footprint)`.
+#define BL_TEXTURE_ABILITIES(block, dimensions)                                                    \
+    static void see_all(const block *p, const bl_samples *samples, double *rgb) {                  \
+        for (size_t i = 0; i < samples->count; i++) {                                              \
+            const bl_footprint *footprint = bl_samples_footprint(samples, i);                      \
+            double at[BL_AXES];                                                                    \
+            bl_samples_place(samples, i, at);                                                      \
+            int is_seen = bl_texture_is_seen(at, footprint, dimensions);                           \
+            bl_colour_put(is_seen ? see(p, at, footprint) : bl_colour_missing, rgb + 3 * i);       \
+        }                                                                                          \
     }                                                                                              \
-    static double value(const void *parameters, const double at[BL_AXES]) {                        \
-        const double w = ((const block *)parameters)->seeing.width;                                \
-        return filtered(parameters, at, (const double[BL_AXES]){w, w, w, w});                      \
+    BL_TEXTURE_BATCH_ABILITIES(block)
+
+// The same after one function for a batch, `static void see_all(const block *, const bl_samples *,
+// double *rgb)`, of a texture that makes something once for all its samples.
+#define BL_TEXTURE_BATCH_ABILITIES(block)                                                          \
+    static void colour(const void *parameters, const bl_samples *samples, double *rgb) {           \
+        see_all(parameters, samples, rgb);                                                         \
+    }                                                                                              \
+    static void filtered(const void *parameters, const bl_samples *samples, double *out) {         \
+        bl_texture_filtered(colour, parameters, ((const block *)parameters)->seeing.component,     \
+                            samples, out);                                                         \
+    }                                                                                              \
+    static void values(const void *parameters, const double *const at[BL_AXES], size_t count,      \
+                       double *out) {                                                              \
+        bl_values_of_width(filtered, parameters, ((const block *)parameters)->seeing.width, at,    \
+                           count, out);                                                            \
     }
-#define BL_TEXTURE_FUNCTIONS .value = value, .filtered = filtered, .colour = colour
+#define BL_TEXTURE_FUNCTIONS .values = values, .filtered = filtered, .colour = colour
+
+// The ability `filtered` of a texture that has this `colour`: the component of its colours.
+void bl_texture_filtered(void (*colour)(const void *, const bl_samples *, double *),
+                         const void *parameters, uint32_t component, const bl_samples *samples,
+                         double *out);
 
 // Names the definition of a texture's file: BL_TEXTURE_DESCRIPTOR(brick) = {...};
 #define BL_TEXTURE_DESCRIPTOR(stem)                                                                \

@@ -88,25 +88,21 @@ static double share_of_stars(const wallpaper_parameters *p, const double at[BL_A
 }
 
 static double share_of(const wallpaper_parameters *p, const double at[BL_AXES],
-                       const double width[BL_AXES]) {
-    if (bl_is_all(width, 2))
+                       const bl_footprint *footprint) {
+    if (bl_footprint_is_whole(footprint, 2))
         return p->share;
-    double kept =
-        p->seeing.filter == FADE ? bl_octave_kept(p->count, BL_CLAMP_FADE, bl_widest(width, 2)) : 1;
-    double share = kept > 0 ? share_of_stars(p, at, width) : 0;
+    double widest = bl_footprint_widest(footprint, 2);
+    double kept = p->seeing.filter == FADE ? bl_octave_kept(p->count, BL_CLAMP_FADE, widest) : 1;
+    double share = kept > 0 ? share_of_stars(p, at, footprint->width) : 0;
     return (1 - kept) * p->share + kept * share;
 }
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
-    const wallpaper_parameters *p = block;
-    bl_colour seen = bl_colour_missing;
-    if (bl_is_place(at, 2) && !isnan(bl_widest(width, 2)))
-        seen = bl_colour_mix(paper_colour, star_colour, share_of(p, at, width));
-    bl_colour_put(seen, rgb);
+static bl_colour see(const wallpaper_parameters *p, const double at[BL_AXES],
+                     const bl_footprint *footprint) {
+    return bl_colour_mix(paper_colour, star_colour, share_of(p, at, footprint));
 }
 
-BL_TEXTURE_ABILITIES(wallpaper_parameters)
+BL_TEXTURE_ABILITIES(wallpaper_parameters, 2)
 
 static bl_status build(void *block, bl_message *message) {
     enum { CELLS = 64 };

@@ -72,7 +72,7 @@ static double share_of_late(const wood_parameters *p, double r, double width) {
     return kept < 1 ? 0.5 + (ring(r) - 0.5) * kept : ring(r);
 }
 
-static bl_colour see(const wood_parameters *p, const double at[BL_AXES], double width) {
+static bl_colour colour_at(const wood_parameters *p, const double at[BL_AXES], double width) {
     bl_octave_clamp clamp =
         p->seeing.filter == INTEGRAL ? BL_CLAMP_FADE : (bl_octave_clamp)p->seeing.filter;
     double fibre = p->fibre * bl_octave_kept(FIBRES, clamp, width), grain = 0;
@@ -86,21 +86,17 @@ static bl_colour see(const wood_parameters *p, const double at[BL_AXES], double 
     return bl_colour_clamp(seen);
 }
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
-    bl_colour seen = bl_colour_missing;
-    double widest = bl_widest(width, 3);
-    int inside = bl_is_place(at, 3) && fabs(at[0]) <= 0x1p50 && fabs(at[1]) <= 0x1p50;
-    if (inside && bl_is_all(width, 3))
-        seen = bl_colour_mix(early, late, 0.5);
-    else if (inside && !isnan(widest))
-        seen = isinf(widest) && ((const wood_parameters *)block)->seeing.filter != NONE
-                   ? bl_colour_mix(early, late, 0.5)
-                   : see(block, at, isinf(widest) ? 0 : widest);
-    bl_colour_put(seen, rgb);
+static bl_colour see(const wood_parameters *p, const double at[BL_AXES],
+                     const bl_footprint *footprint) {
+    double widest = bl_footprint_widest(footprint, 3);
+    if (!(fabs(at[0]) <= 0x1p50 && fabs(at[1]) <= 0x1p50))
+        return bl_colour_missing;
+    if (bl_footprint_is_whole(footprint, 3) || (isinf(widest) && p->seeing.filter != NONE))
+        return bl_colour_mix(early, late, 0.5);
+    return colour_at(p, at, isinf(widest) ? 0 : widest);
 }
 
-BL_TEXTURE_ABILITIES(wood_parameters)
+BL_TEXTURE_ABILITIES(wood_parameters, 3)
 
 static bl_status build(void *block, bl_message *message) {
     wood_parameters *p = block;

@@ -101,26 +101,21 @@ static double complex wave(const zone_plate_parameters *p, double x, double widt
     return turn(p->chirp * x * x);
 }
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
-    const zone_plate_parameters *p = block;
-    double grey = NAN, widest = bl_widest(width, 2);
-    if (bl_is_all(width, 2)) {
-        grey = 0.5;
-    } else if (!isnan(widest)) {
-        double filtered = p->seeing.filter == NONE || p->seeing.filter == FADE ? 0 : 1;
-        double cosine = creal(wave(p, at[0], filtered > 0 ? width[0] : 0) *
-                              wave(p, at[1], filtered > 0 ? width[1] : 0));
+static bl_colour see(const zone_plate_parameters *p, const double at[BL_AXES],
+                     const bl_footprint *footprint) {
+    double grey = 0.5, widest = bl_footprint_widest(footprint, 2);
+    if (!bl_footprint_is_whole(footprint, 2)) {
+        int averaged = p->seeing.filter != NONE && p->seeing.filter != FADE;
+        double cosine = creal(wave(p, at[0], averaged ? footprint->width[0] : 0) *
+                              wave(p, at[1], averaged ? footprint->width[1] : 0));
         if (p->seeing.filter == FADE && widest > 0)
             cosine *= bl_octave_kept(p->chirp * hypot(at[0], at[1]), BL_CLAMP_FADE, widest);
         grey = 0.5 + 0.5 * fmin(fmax(cosine, -1), 1);
     }
-    if (!bl_is_place(at, 2))
-        grey = NAN;
-    bl_colour_put((bl_colour){{grey, grey, grey}}, rgb);
+    return (bl_colour){{grey, grey, grey}};
 }
 
-BL_TEXTURE_ABILITIES(zone_plate_parameters)
+BL_TEXTURE_ABILITIES(zone_plate_parameters, 2)
 
 static void describe(const void *block, bl_facts *facts) {
     const zone_plate_parameters *p = block;

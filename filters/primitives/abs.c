@@ -49,4 +49,4 @@ BL_PRIMITIVE_DESCRIPTOR(abs) = {.name = "abs",
                                 .parameters_size = sizeof(abs_parameters),
                                 .seed_offset = SIZE_MAX,
                                 .describe = describe,
-                                .functions = BL_PRIMITIVE_FUNCTIONS};
+                                .functions = {BL_PRIMITIVE_FUNCTIONS}};

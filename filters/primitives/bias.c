@@ -75,4 +75,4 @@ BL_PRIMITIVE_DESCRIPTOR(bias) = {.name = "bias",
                                  .seed_offset = SIZE_MAX,
                                  .validate = validate,
                                  .describe = describe,
-                                 .functions = BL_PRIMITIVE_FUNCTIONS};
+                                 .functions = {BL_PRIMITIVE_FUNCTIONS}};

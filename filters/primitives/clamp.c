@@ -94,4 +94,4 @@ BL_PRIMITIVE_DESCRIPTOR(clamp) = {.name = "clamp",
                                   .parameters_size = sizeof(clamp_parameters),
                                   .seed_offset = SIZE_MAX,
                                   .describe = describe,
-                                  .functions = BL_PRIMITIVE_FUNCTIONS};
+                                  .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -58,4 +58,4 @@ BL_PRIMITIVE_DESCRIPTOR(floor) = {.name = "floor",
                                   .seed_offset = SIZE_MAX,
                                   .validate = validate,
                                   .describe = describe,
-                                  .functions = BL_PRIMITIVE_FUNCTIONS};
+                                  .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -107,4 +107,4 @@ BL_PRIMITIVE_DESCRIPTOR(gain) = {
     .seed_offset = SIZE_MAX,
     .validate = validate,
     .describe = describe,
-    .functions = BL_PRIMITIVE_FUNCTIONS};
+    .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -63,4 +63,4 @@ BL_PRIMITIVE_DESCRIPTOR(gamma) = {.name = "gamma",
                                   .seed_offset = SIZE_MAX,
                                   .validate = validate,
                                   .describe = describe,
-                                  .functions = BL_PRIMITIVE_FUNCTIONS};
+                                  .functions = {BL_PRIMITIVE_FUNCTIONS}};

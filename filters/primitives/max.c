@@ -56,4 +56,4 @@ BL_PRIMITIVE_DESCRIPTOR(max) = {.name = "max",
                                 .parameters_size = sizeof(max_parameters),
                                 .seed_offset = SIZE_MAX,
                                 .describe = describe,
-                                .functions = BL_PRIMITIVE_FUNCTIONS};
+                                .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -56,4 +56,4 @@ BL_PRIMITIVE_DESCRIPTOR(min) = {.name = "min",
                                 .parameters_size = sizeof(min_parameters),
                                 .seed_offset = SIZE_MAX,
                                 .describe = describe,
-                                .functions = BL_PRIMITIVE_FUNCTIONS};
+                                .functions = {BL_PRIMITIVE_FUNCTIONS}};

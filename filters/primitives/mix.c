@@ -59,4 +59,4 @@ BL_PRIMITIVE_DESCRIPTOR(mix) = {.name = "mix",
                                 .parameters_size = sizeof(mix_parameters),
                                 .seed_offset = SIZE_MAX,
                                 .describe = describe,
-                                .functions = BL_PRIMITIVE_FUNCTIONS};
+                                .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -82,4 +82,4 @@ BL_PRIMITIVE_DESCRIPTOR(mod) = {.name = "mod",
                                 .seed_offset = SIZE_MAX,
                                 .validate = validate,
                                 .describe = describe,
-                                .functions = BL_PRIMITIVE_FUNCTIONS};
+                                .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -125,4 +125,4 @@ BL_PRIMITIVE_DESCRIPTOR(pulse) = {.name = "pulse",
                                   .seed_offset = SIZE_MAX,
                                   .validate = validate,
                                   .describe = describe,
-                                  .functions = BL_PRIMITIVE_FUNCTIONS};
+                                  .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -88,4 +88,4 @@ BL_PRIMITIVE_DESCRIPTOR(sine) = {.name = "sine",
                                  .parameters_size = sizeof(sine_parameters),
                                  .seed_offset = SIZE_MAX,
                                  .describe = describe,
-                                 .functions = BL_PRIMITIVE_FUNCTIONS};
+                                 .functions = {BL_PRIMITIVE_FUNCTIONS}};

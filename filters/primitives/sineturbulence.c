@@ -117,4 +117,4 @@ BL_PRIMITIVE_DESCRIPTOR(sineturbulence) = {
     .seed_offset = SIZE_MAX,
     .validate = validate,
     .describe = describe,
-    .functions = BL_PRIMITIVE_FUNCTIONS};
+    .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -96,4 +96,4 @@ BL_PRIMITIVE_DESCRIPTOR(smoothstep) = {.name = "smoothstep",
                                        .seed_offset = SIZE_MAX,
                                        .validate = validate,
                                        .describe = describe,
-                                       .functions = BL_PRIMITIVE_FUNCTIONS};
+                                       .functions = {BL_PRIMITIVE_FUNCTIONS}};

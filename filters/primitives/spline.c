@@ -106,13 +106,15 @@ static double average(const spline_parameters *p, const bl_filter *filter, doubl
 
 BL_PRIMITIVE_ABILITIES(spline_parameters)
 
-static void colour(const void *block, const double at[BL_AXES], const double width[BL_AXES],
-                   double rgb[3]) {
+static void colour(const void *block, const bl_samples *samples, double *rgb) {
     const spline_parameters *p = block;
     const bl_filter *filter = bl_filter_at(p->averaging.filter);
-    for (uint32_t c = 0; c < 3; c++)
-        rgb[c] = average_of(p, c + 1, filter, bl_averaging_centre(&p->averaging, at[0], width[0]),
-                            width[0]);
+    for (size_t i = 0; i < samples->count; i++) {
+        double width = bl_samples_footprint(samples, i)->width[0];
+        double x = bl_averaging_centre(&p->averaging, samples->at[0][i], width);
+        for (uint32_t c = 0; c < 3; c++)
+            rgb[3 * i + c] = average_of(p, c + 1, filter, x, width);
+    }
 }
 
 static bl_status build(void *block, bl_message *message) {
@@ -183,4 +185,4 @@ BL_PRIMITIVE_DESCRIPTOR(spline) = {
     .seed_offset = SIZE_MAX,
     .validate = validate,
     .describe = describe,
-    .functions = {.value = value, .filtered = filtered, .colour = colour, .build = build}};
+    .functions = {BL_PRIMITIVE_FUNCTIONS, .colour = colour, .build = build}};

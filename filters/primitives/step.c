@@ -61,4 +61,4 @@ BL_PRIMITIVE_DESCRIPTOR(step) = {.name = "step",
                                  .parameters_size = sizeof(step_parameters),
                                  .seed_offset = SIZE_MAX,
                                  .describe = describe,
-                                 .functions = BL_PRIMITIVE_FUNCTIONS};
+                                 .functions = {BL_PRIMITIVE_FUNCTIONS}};

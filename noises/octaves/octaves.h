@@ -118,8 +118,7 @@ void bl_octaves_release(void *parameters);
 double bl_octaves_value(const void *parameters, const double at[BL_AXES]);
 // The value for samples as far apart as the largest width of its axes says, or as the key width, if
 // that is larger.
-double bl_octaves_filtered(const void *parameters, const double at[BL_AXES],
-                           const double width[BL_AXES]);
+void bl_octaves_filtered(const void *parameters, const bl_samples *samples, double *out);
 // NaN where the basis has no gradient.
 void bl_octaves_gradient(const void *parameters, const double at[BL_AXES], double out[BL_AXES]);
 double bl_octaves_covariance(const void *parameters, const double lag[BL_AXES]);

@@ -111,12 +111,13 @@ double bl_octaves_value_for_width(const bl_signal *sum, const double at[BL_AXES]
     return bl_octaves_is_sum(sum) && width >= 0 ? value_for_width(sum->parameters, at, width) : NAN;
 }
 
-double bl_octaves_filtered(const void *parameters, const double at[BL_AXES],
-                           const double width[BL_AXES]) {
+void bl_octaves_filtered(const void *parameters, const bl_samples *samples, double *out) {
     const bl_octaves_settings *settings = parameters;
-    double widest = settings->width;
-    for (unsigned a = 0; a < settings->octaves->dimensions; a++)
-        if (isnan(width[a]) || width[a] > widest)
-            widest = isnan(widest) ? widest : width[a];
-    return widest >= 0 ? value_for_width(settings, at, widest) : NAN;
+    for (size_t i = 0; i < samples->count; i++) {
+        double at[BL_AXES];
+        bl_samples_place(samples, i, at);
+        double widest =
+            bl_footprint_widest(bl_samples_footprint(samples, i), settings->octaves->dimensions);
+        out[i] = isnan(widest) ? NAN : value_for_width(settings, at, fmax(widest, settings->width));
+    }
 }
