@@ -18,7 +18,9 @@ static bl_status make_signal(const bl_definition *definition, const void *block,
     if (status != BL_OK)
         return status;
     made->definition = definition;
-    made->seed_offset = definition->seed_offset;
+    for (const bl_parameter *p = definition->parameters; p->key; p++)
+        if (p->kind == BL_SEED)
+            made->seed_offset = p->offset;
     made->dimensions = definition->dimensions_of ? definition->dimensions_of(made->parameters)
                                                  : definition->dimensions;
     made->name = definition->name;

@@ -22,9 +22,9 @@ typedef struct bl_definition {
     const char *formula; // in plain text
     const char *paper;   // key and page or section: "peachey2003, p. 75"
     unsigned dimensions; // 1 to 4, with the default settings
+    // At most one of the kind BL_SEED, which is the seed of the signal.
     const bl_parameter *parameters;
     size_t parameters_size; // of the flat parameter block
-    size_t seed_offset;
     // Optional: the dimensions with these parameters, and with what functions.build made of them;
     // NULL: always those above.
     unsigned (*dimensions_of)(const void *parameters);

@@ -564,7 +564,6 @@ BL_NOISE_DESCRIPTOR(cellular_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(cellular_parameters),
-    .seed_offset = offsetof(cellular_parameters, lattice.seed),
     .dimensions_of = dimensions_of,
     .describe = describe,
     .textbook = textbook,

@@ -173,7 +173,6 @@ BL_NOISE_DESCRIPTOR(fourier_synthesis) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(fourier_parameters),
-    .seed_offset = offsetof(fourier_parameters, of.tile.seed),
     .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,

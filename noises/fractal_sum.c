@@ -69,7 +69,6 @@ BL_NOISE_DESCRIPTOR(fractal_sum) = {
     .dimensions_of = bl_octaves_dimensions,
     .parameters = parameters,
     .parameters_size = sizeof(fractal_parameters),
-    .seed_offset = offsetof(fractal_parameters, sum.seed),
     .describe = bl_octaves_describe,
     .has_closed_form = bl_octaves_has_closed_form,
     .textbook = textbook,

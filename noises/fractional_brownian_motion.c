@@ -119,7 +119,6 @@ BL_NOISE_DESCRIPTOR(fractional_brownian_motion) = {
     .dimensions_of = bl_octaves_dimensions,
     .parameters = parameters,
     .parameters_size = sizeof(fbm_parameters),
-    .seed_offset = offsetof(fbm_parameters, sum.seed),
     .describe = bl_octaves_describe,
     .has_closed_form = bl_octaves_has_closed_form,
     .textbook = textbook,

@@ -349,7 +349,6 @@ BL_NOISE_DESCRIPTOR(gabor_noise) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(gabor_parameters),
-    .seed_offset = offsetof(gabor_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

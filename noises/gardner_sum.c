@@ -322,7 +322,6 @@ BL_NOISE_DESCRIPTOR(gardner_sum) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(gardner_parameters),
-    .seed_offset = offsetof(gardner_parameters, seed),
     .describe = describe,
     .textbook = textbook,
     .textbook_settings = "",

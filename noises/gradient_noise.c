@@ -150,7 +150,6 @@ BL_NOISE_DESCRIPTOR(gradient_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(gradient_parameters),
-    .seed_offset = offsetof(gradient_parameters, lattice.seed),
     .dimensions_of = dimensions_of,
     .describe = describe,
     .has_closed_form = has_closed_form,

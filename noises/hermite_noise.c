@@ -312,7 +312,6 @@ BL_NOISE_DESCRIPTOR(hermite_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(hermite_parameters),
-    .seed_offset = offsetof(hermite_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

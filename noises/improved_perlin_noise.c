@@ -138,7 +138,6 @@ BL_NOISE_DESCRIPTOR(improved_perlin_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(improved_parameters),
-    .seed_offset = offsetof(improved_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

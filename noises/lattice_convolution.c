@@ -336,7 +336,6 @@ BL_NOISE_DESCRIPTOR(lattice_convolution) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(convolution_parameters),
-    .seed_offset = offsetof(convolution_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

@@ -110,7 +110,6 @@ BL_NOISE_DESCRIPTOR(midpoint_displacement) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(midpoint_parameters),
-    .seed_offset = offsetof(midpoint_parameters, of.tile.seed),
     .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,

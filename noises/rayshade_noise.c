@@ -143,7 +143,6 @@ BL_NOISE_DESCRIPTOR(rayshade_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(rayshade_parameters),
-    .seed_offset = offsetof(rayshade_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

@@ -99,7 +99,6 @@ BL_NOISE_DESCRIPTOR(ridged_sum) = {
     .dimensions_of = bl_octaves_dimensions,
     .parameters = parameters,
     .parameters_size = sizeof(ridged_parameters),
-    .seed_offset = offsetof(ridged_parameters, sum.seed),
     .describe = bl_octaves_describe,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_OCTAVES,

@@ -302,7 +302,6 @@ BL_NOISE_DESCRIPTOR(simplex_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(simplex_parameters),
-    .seed_offset = offsetof(simplex_parameters, lattice.seed),
     .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,

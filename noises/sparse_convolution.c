@@ -349,7 +349,6 @@ BL_NOISE_DESCRIPTOR(sparse_convolution) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(sparse_parameters),
-    .seed_offset = offsetof(sparse_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

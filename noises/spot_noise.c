@@ -346,7 +346,6 @@ BL_NOISE_DESCRIPTOR(spot_noise) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(spot_parameters),
-    .seed_offset = offsetof(spot_parameters, lattice.seed),
     .dimensions_of = dimensions_of,
     .describe = describe,
     .has_closed_form = has_closed_form,

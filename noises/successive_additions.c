@@ -114,7 +114,6 @@ BL_NOISE_DESCRIPTOR(successive_additions) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(additions_parameters),
-    .seed_offset = offsetof(additions_parameters, of.tile.seed),
     .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,

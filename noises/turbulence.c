@@ -72,7 +72,6 @@ BL_NOISE_DESCRIPTOR(turbulence) = {
     .dimensions_of = bl_octaves_dimensions,
     .parameters = parameters,
     .parameters_size = sizeof(turbulence_parameters),
-    .seed_offset = offsetof(turbulence_parameters, sum.seed),
     .describe = bl_octaves_describe,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_OCTAVES,

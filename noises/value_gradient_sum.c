@@ -205,7 +205,6 @@ BL_NOISE_DESCRIPTOR(value_gradient_sum) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(sum_parameters),
-    .seed_offset = offsetof(sum_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

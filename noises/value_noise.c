@@ -131,7 +131,6 @@ BL_NOISE_DESCRIPTOR(value_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(value_parameters),
-    .seed_offset = offsetof(value_parameters, lattice.seed),
     .dimensions_of = dimensions_of,
     .describe = describe,
     .has_closed_form = has_closed_form,

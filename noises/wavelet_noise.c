@@ -133,7 +133,6 @@ BL_NOISE_DESCRIPTOR(wavelet_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(wavelet_parameters),
-    .seed_offset = offsetof(wavelet_parameters, of.tile.seed),
     .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,

@@ -217,7 +217,6 @@ BL_NOISE_DESCRIPTOR(white_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(white_parameters),
-    .seed_offset = offsetof(white_parameters, seed),
     .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,

@@ -325,7 +325,6 @@ BL_NOISE_DESCRIPTOR(wiener_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(wiener_parameters),
-    .seed_offset = offsetof(wiener_parameters, lattice.seed),
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,

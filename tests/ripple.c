@@ -63,7 +63,6 @@ static const bl_definition ripple = {.name = "ripple",
                                      .dimensions = 2,
                                      .parameters = parameters,
                                      .parameters_size = sizeof(ripple_parameters),
-                                     .seed_offset = SIZE_MAX,
                                      .describe = describe,
                                      .functions = {.values = values, .filtered = filtered}};
 

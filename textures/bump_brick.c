@@ -166,7 +166,6 @@ BL_TEXTURE_DESCRIPTOR(bump_brick) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(bump_brick_parameters),
-    .seed_offset = SIZE_MAX,
     .describe = describe,
     .picture = {.scale = 1, .at = {0.5, 0.5}},
     .functions = {BL_TEXTURE_FUNCTIONS, .build = build}};

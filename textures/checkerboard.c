@@ -93,7 +93,6 @@ BL_TEXTURE_DESCRIPTOR(checkerboard) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(checkerboard_parameters),
-    .seed_offset = SIZE_MAX,
     .describe = describe,
     .picture = {.scale = 8},
     .functions = {BL_TEXTURE_FUNCTIONS}};

@@ -171,7 +171,6 @@ BL_TEXTURE_DESCRIPTOR(cloud_plane) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(cloud_plane_parameters),
-    .seed_offset = offsetof(cloud_plane_parameters, seed),
     .describe = describe,
     .picture = {.scale = 80},
     .functions = {BL_TEXTURE_FUNCTIONS, .build = build, .release = release}};

@@ -205,7 +205,6 @@ BL_TEXTURE_DESCRIPTOR(image) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(image_parameters),
-    .seed_offset = offsetof(image_parameters, noise.seed),
     .describe = describe,
     .picture = {.scale = 1, .at = {0.5, 0.5, 0.4}},
     .functions = {BL_TEXTURE_FUNCTIONS, .build = build, .release = release}};

@@ -190,7 +190,6 @@ BL_TEXTURE_DESCRIPTOR(marble) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(marble_parameters),
-    .seed_offset = offsetof(marble_parameters, seed),
     .describe = describe,
     .picture = {.scale = 2, .at = {0, 0, 0.4}},
     .functions = {BL_TEXTURE_FUNCTIONS, .build = build, .release = release}};

@@ -95,7 +95,6 @@ BL_TEXTURE_DESCRIPTOR(metallic) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(metallic_parameters),
-    .seed_offset = SIZE_MAX,
     .describe = describe,
     .picture = {.scale = 4, .at = {1, 0, 0}, .normal = {1, 0, 0}},
     .functions = {BL_TEXTURE_FUNCTIONS}};

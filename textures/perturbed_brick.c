@@ -130,7 +130,6 @@ BL_TEXTURE_DESCRIPTOR(perturbed_brick) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(perturbed_brick_parameters),
-    .seed_offset = offsetof(perturbed_brick_parameters, noise.seed),
     .describe = describe,
     .picture = {.scale = 1, .at = {0.5, 0.5}},
     .functions = {BL_TEXTURE_FUNCTIONS, .build = build, .release = release}};

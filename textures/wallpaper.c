@@ -169,7 +169,6 @@ BL_TEXTURE_DESCRIPTOR(wallpaper) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(wallpaper_parameters),
-    .seed_offset = offsetof(wallpaper_parameters, noise.seed),
     .describe = describe,
     .picture = {.scale = 1, .at = {0.5, 0.5}},
     .functions = {BL_TEXTURE_FUNCTIONS, .build = build, .release = release}};

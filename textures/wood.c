@@ -139,7 +139,6 @@ BL_TEXTURE_DESCRIPTOR(wood) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(wood_parameters),
-    .seed_offset = offsetof(wood_parameters, noise.seed),
     .describe = describe,
     .picture = {.scale = 2, .at = {0.6, 0.25, 0.4}, .normal = {0.2, -1, 0.3}},
     .functions = {BL_TEXTURE_FUNCTIONS, .build = build, .release = release}};

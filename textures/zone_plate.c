@@ -147,7 +147,6 @@ BL_TEXTURE_DESCRIPTOR(zone_plate) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(zone_plate_parameters),
-    .seed_offset = SIZE_MAX,
     .describe = describe,
     .picture = {.scale = 2},
     .functions = {BL_TEXTURE_FUNCTIONS}};

@@ -47,6 +47,5 @@ BL_PRIMITIVE_DESCRIPTOR(abs) = {.name = "abs",
                                 .dimensions = 1,
                                 .parameters = parameters,
                                 .parameters_size = sizeof(abs_parameters),
-                                .seed_offset = SIZE_MAX,
                                 .describe = describe,
                                 .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -72,7 +72,6 @@ BL_PRIMITIVE_DESCRIPTOR(bias) = {.name = "bias",
                                  .dimensions = 1,
                                  .parameters = parameters,
                                  .parameters_size = sizeof(bias_parameters),
-                                 .seed_offset = SIZE_MAX,
                                  .validate = validate,
                                  .describe = describe,
                                  .functions = {BL_PRIMITIVE_FUNCTIONS}};

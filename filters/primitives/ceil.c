@@ -55,7 +55,6 @@ BL_PRIMITIVE_DESCRIPTOR(ceil) = {.name = "ceil",
                                  .dimensions = 1,
                                  .parameters = parameters,
                                  .parameters_size = sizeof(ceil_parameters),
-                                 .seed_offset = SIZE_MAX,
                                  .validate = validate,
                                  .describe = describe,
                                  .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -92,6 +92,5 @@ BL_PRIMITIVE_DESCRIPTOR(clamp) = {.name = "clamp",
                                   .dimensions = 1,
                                   .parameters = parameters,
                                   .parameters_size = sizeof(clamp_parameters),
-                                  .seed_offset = SIZE_MAX,
                                   .describe = describe,
                                   .functions = {BL_PRIMITIVE_FUNCTIONS}};

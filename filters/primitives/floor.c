@@ -55,7 +55,6 @@ BL_PRIMITIVE_DESCRIPTOR(floor) = {.name = "floor",
                                   .dimensions = 1,
                                   .parameters = parameters,
                                   .parameters_size = sizeof(floor_parameters),
-                                  .seed_offset = SIZE_MAX,
                                   .validate = validate,
                                   .describe = describe,
                                   .functions = {BL_PRIMITIVE_FUNCTIONS}};

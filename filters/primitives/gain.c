@@ -104,7 +104,6 @@ BL_PRIMITIVE_DESCRIPTOR(gain) = {
     .dimensions = 1,
     .parameters = parameters,
     .parameters_size = sizeof(gain_parameters),
-    .seed_offset = SIZE_MAX,
     .validate = validate,
     .describe = describe,
     .functions = {BL_PRIMITIVE_FUNCTIONS}};

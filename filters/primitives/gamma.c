@@ -60,7 +60,6 @@ BL_PRIMITIVE_DESCRIPTOR(gamma) = {.name = "gamma",
                                   .dimensions = 1,
                                   .parameters = parameters,
                                   .parameters_size = sizeof(gamma_parameters),
-                                  .seed_offset = SIZE_MAX,
                                   .validate = validate,
                                   .describe = describe,
                                   .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -54,6 +54,5 @@ BL_PRIMITIVE_DESCRIPTOR(max) = {.name = "max",
                                 .dimensions = 1,
                                 .parameters = parameters,
                                 .parameters_size = sizeof(max_parameters),
-                                .seed_offset = SIZE_MAX,
                                 .describe = describe,
                                 .functions = {BL_PRIMITIVE_FUNCTIONS}};

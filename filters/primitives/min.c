@@ -54,6 +54,5 @@ BL_PRIMITIVE_DESCRIPTOR(min) = {.name = "min",
                                 .dimensions = 1,
                                 .parameters = parameters,
                                 .parameters_size = sizeof(min_parameters),
-                                .seed_offset = SIZE_MAX,
                                 .describe = describe,
                                 .functions = {BL_PRIMITIVE_FUNCTIONS}};

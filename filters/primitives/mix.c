@@ -57,6 +57,5 @@ BL_PRIMITIVE_DESCRIPTOR(mix) = {.name = "mix",
                                 .dimensions = 1,
                                 .parameters = parameters,
                                 .parameters_size = sizeof(mix_parameters),
-                                .seed_offset = SIZE_MAX,
                                 .describe = describe,
                                 .functions = {BL_PRIMITIVE_FUNCTIONS}};

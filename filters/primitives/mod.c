@@ -79,7 +79,6 @@ BL_PRIMITIVE_DESCRIPTOR(mod) = {.name = "mod",
                                 .dimensions = 1,
                                 .parameters = parameters,
                                 .parameters_size = sizeof(mod_parameters),
-                                .seed_offset = SIZE_MAX,
                                 .validate = validate,
                                 .describe = describe,
                                 .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -122,7 +122,6 @@ BL_PRIMITIVE_DESCRIPTOR(pulse) = {.name = "pulse",
                                   .dimensions = 1,
                                   .parameters = parameters,
                                   .parameters_size = sizeof(pulse_parameters),
-                                  .seed_offset = SIZE_MAX,
                                   .validate = validate,
                                   .describe = describe,
                                   .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -86,6 +86,5 @@ BL_PRIMITIVE_DESCRIPTOR(sine) = {.name = "sine",
                                  .dimensions = 1,
                                  .parameters = parameters,
                                  .parameters_size = sizeof(sine_parameters),
-                                 .seed_offset = SIZE_MAX,
                                  .describe = describe,
                                  .functions = {BL_PRIMITIVE_FUNCTIONS}};

@@ -114,7 +114,6 @@ BL_PRIMITIVE_DESCRIPTOR(sineturbulence) = {
     .dimensions = 1,
     .parameters = parameters,
     .parameters_size = sizeof(sineturbulence_parameters),
-    .seed_offset = SIZE_MAX,
     .validate = validate,
     .describe = describe,
     .functions = {BL_PRIMITIVE_FUNCTIONS}};

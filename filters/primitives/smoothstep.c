@@ -93,7 +93,6 @@ BL_PRIMITIVE_DESCRIPTOR(smoothstep) = {.name = "smoothstep",
                                        .dimensions = 1,
                                        .parameters = parameters,
                                        .parameters_size = sizeof(smoothstep_parameters),
-                                       .seed_offset = SIZE_MAX,
                                        .validate = validate,
                                        .describe = describe,
                                        .functions = {BL_PRIMITIVE_FUNCTIONS}};

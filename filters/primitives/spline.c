@@ -182,7 +182,6 @@ BL_PRIMITIVE_DESCRIPTOR(spline) = {
     .dimensions = 1,
     .parameters = parameters,
     .parameters_size = sizeof(spline_parameters),
-    .seed_offset = SIZE_MAX,
     .validate = validate,
     .describe = describe,
     .functions = {BL_PRIMITIVE_FUNCTIONS, .colour = colour, .build = build}};

@@ -59,6 +59,5 @@ BL_PRIMITIVE_DESCRIPTOR(step) = {.name = "step",
                                  .dimensions = 1,
                                  .parameters = parameters,
                                  .parameters_size = sizeof(step_parameters),
-                                 .seed_offset = SIZE_MAX,
                                  .describe = describe,
                                  .functions = {BL_PRIMITIVE_FUNCTIONS}};
