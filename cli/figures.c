@@ -9,7 +9,7 @@
 
 #include "cli/json.h"
 #include "cli/plain.h"
-#include "reports/run.h"
+#include "reports/figure.h"
 
 static void show_progress(void *user, size_t done, size_t total, const char *figure,
                           const char *step) {

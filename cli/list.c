@@ -9,7 +9,7 @@
 #include "cli/verb.h"
 #include "cli/words.h"
 #include "filters/primitive.h"
-#include "reports/run.h"
+#include "reports/figure.h"
 #include "textures/texture.h"
 
 typedef struct list_settings {

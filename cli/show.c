@@ -15,7 +15,7 @@
 #include "core/continuity.h"
 #include "core/grammar.h"
 #include "filters/primitive.h"
-#include "reports/run.h"
+#include "reports/figure.h"
 #include "sources/source.h"
 #include "textures/texture.h"
 

@@ -8,7 +8,7 @@
 #include "cli/words.h"
 #include "core/grammar.h"
 #include "filters/filter.h"
-#include "reports/run.h"
+#include "reports/figure.h"
 #include "sources/source.h"
 
 #define BL_VERB(stem) extern const bl_verb bl_verb_##stem;

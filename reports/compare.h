@@ -5,7 +5,7 @@
 #ifndef BL_REPORTS_COMPARE_H
 #define BL_REPORTS_COMPARE_H
 
-#include "reports/run.h"
+#include "reports/figure.h"
 
 enum { BL_COMPARISONS = 4 };
 

@@ -3,7 +3,7 @@
 // The registry of figures.
 #include <string.h>
 
-#include "reports/run.h"
+#include "reports/figure.h"
 
 #define BL_FIGURE(stem) extern const bl_figure bl_figure_##stem;
 #include "reports/figures.def"

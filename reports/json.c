@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "core/version.h"
-#include "reports/run.h"
+#include "reports/record.h"
 #include "reports/output.h"
 
 // Infinity and NaN have no JSON: they are null, as "no limit" and "not measured".
@@ -38,10 +38,11 @@ static json_t *claim_json(const bl_claim *claim) {
         claim->counted ? claim->counted : "", "verdict", bl_outcome_word(bl_claim_outcome(claim)));
 }
 
-static json_t *settings_json(const bl_run_view *view) {
+static json_t *settings_json(const bl_run_record *record) {
     json_t *object = json_object();
-    for (size_t i = 0; i < view->setting_count; i++)
-        json_object_set_new(object, view->settings[i].name, json_string(view->settings[i].text));
+    for (size_t i = 0; i < record->setting_count; i++)
+        json_object_set_new(object, record->settings[i].name,
+                            json_string(record->settings[i].text));
     return object;
 }
 
@@ -53,8 +54,8 @@ static json_t *outcomes_json(const bl_figure_result *result) {
     return object;
 }
 
-static json_t *figure_json(const bl_run_view *view, const bl_reproduce_settings *settings) {
-    const bl_figure_result *result = view->result;
+static json_t *figure_json(const bl_run_record *record, const bl_reproduce_settings *settings) {
+    const bl_figure_result *result = record->result;
     const bl_figure *figure = result->figure;
     json_t *claims = json_array(), *files = json_array();
     for (size_t i = 0; i < result->claim_count; i++)
@@ -66,17 +67,17 @@ static json_t *figure_json(const bl_run_view *view, const bl_reproduce_settings 
                      settings->arguments ? settings->arguments : "", "figure", figure->name,
                      "title", figure->title, "question", figure->question, "paper", figure->paper,
                      "shows", figure->shows, "size", bl_size_word(settings->size), "seed",
-                     seed_json(settings->seed), "settings", settings_json(view), "verdicts",
+                     seed_json(settings->seed), "settings", settings_json(record), "verdicts",
                      outcomes_json(result), "claims", claims, "files", files);
 }
 
-bl_status bl_run_write_json(const bl_run_view *view, const bl_reproduce_settings *settings,
+bl_status bl_run_write_json(const bl_run_record *record, const bl_reproduce_settings *settings,
                             bl_message *message) {
-    json_t *json = figure_json(view, settings);
+    json_t *json = figure_json(record, settings);
     char *text = json ? json_dumps(json, JSON_INDENT(2) | JSON_REAL_PRECISION(9)) : NULL;
     json_decref(json);
     bl_file file;
-    bl_status status = text ? bl_output_create(view->result->folder, view->result->figure->name,
+    bl_status status = text ? bl_output_create(record->result->folder, record->result->figure->name,
                                                "json", &file, message)
                             : bl_report(message, BL_DEVICE, "out of memory");
     if (status == BL_OK) {

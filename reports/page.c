@@ -79,11 +79,11 @@ static void put_words(FILE *out, const bl_term *words) {
     fputs("</dl>\n", out);
 }
 
-static void put_settings(FILE *out, const bl_run_view *view) {
+static void put_settings(FILE *out, const bl_run_record *record) {
     fputs("<h3>Settings</h3>\n<dl>\n", out);
-    for (size_t i = 0; i < view->setting_count; i++) {
-        bl_html_tagged(out, "<dt>", view->settings[i].name, "</dt>");
-        bl_html_tagged(out, "<dd>", view->settings[i].text, "</dd>\n");
+    for (size_t i = 0; i < record->setting_count; i++) {
+        bl_html_tagged(out, "<dt>", record->settings[i].name, "</dt>");
+        bl_html_tagged(out, "<dd>", record->settings[i].text, "</dd>\n");
     }
     fputs("</dl>\n", out);
 }
@@ -98,8 +98,8 @@ static void put_files(FILE *out, const bl_figure_result *result) {
     fputs("</ul>\n", out);
 }
 
-static bl_status put_figure(FILE *out, const bl_run_view *view, bl_message *message) {
-    const bl_figure_result *result = view->result;
+static bl_status put_figure(FILE *out, const bl_run_record *record, bl_message *message) {
+    const bl_figure_result *result = record->result;
     const bl_figure *figure = result->figure;
     bl_html_tagged(out, "<section id=\"", figure->name, "\">\n<p class=\"soft\">");
     bl_html_tagged(out, "", figure->name, " &middot; ");
@@ -107,8 +107,8 @@ static bl_status put_figure(FILE *out, const bl_run_view *view, bl_message *mess
     bl_html_tagged(out, "", figure->paper, "</p>\n");
     bl_html_tagged(out, "<h2>", figure->question, "</h2>\n");
     bl_html_tagged(out, "<p>", figure->shows, "</p>\n");
-    for (size_t i = 0; i < view->plot_count; i++) {
-        bl_status status = put_picture(out, result->folder, &view->plots[i], message);
+    for (size_t i = 0; i < record->plot_count; i++) {
+        bl_status status = put_picture(out, result->folder, &record->plots[i], message);
         if (status != BL_OK)
             return status;
     }
@@ -117,29 +117,29 @@ static bl_status put_figure(FILE *out, const bl_run_view *view, bl_message *mess
         put_words(out, figure->terms);
     }
     bl_page_claims(out, result);
-    put_settings(out, view);
+    put_settings(out, record);
     put_files(out, result);
     fputs("</section>\n", out);
     return BL_OK;
 }
 
-static size_t count_claims(const bl_run_view *views, size_t count) {
+static size_t count_claims(const bl_run_record *records, size_t count) {
     size_t total = 0;
     for (size_t f = 0; f < count; f++)
-        total += views[f].result->claim_count;
+        total += records[f].result->claim_count;
     return total;
 }
 
-static void put_tally(FILE *out, const bl_run_view *views, size_t count) {
+static void put_tally(FILE *out, const bl_run_record *records, size_t count) {
     size_t outcomes[BL_NOT_RUN + 1] = {0};
     for (size_t f = 0; f < count; f++)
         for (int v = 0; v <= BL_NOT_RUN; v++)
-            outcomes[v] += views[f].result->outcomes[v];
+            outcomes[v] += records[f].result->outcomes[v];
     fprintf(out,
             "<p>%zu figure%s, %zu claims measured. A claim of a paper that is refuted is a "
             "finding; a claim of our own that is broken is a fault.</p>\n"
             "<ul class=\"tally\">\n",
-            count, count == 1 ? "" : "s", count_claims(views, count));
+            count, count == 1 ? "" : "s", count_claims(records, count));
     for (int v = 0; v <= BL_NOT_RUN; v++) {
         if (outcomes[v] == 0 && (v == BL_NOT_RUN || v == BL_UNDECIDED))
             continue;
@@ -150,12 +150,12 @@ static void put_tally(FILE *out, const bl_run_view *views, size_t count) {
     fputs("</ul>\n", out);
 }
 
-static void put_contents(FILE *out, const bl_run_view *views, size_t count) {
+static void put_contents(FILE *out, const bl_run_record *records, size_t count) {
     fputs("<nav aria-label=\"Figures\"><ol>\n", out);
     for (size_t f = 0; f < count; f++) {
-        bl_html_tagged(out, "<li><a href=\"#", views[f].result->figure->name, "\">");
-        bl_html_tagged(out, "", views[f].result->figure->question, "</a> ");
-        bl_html_tagged(out, "<span class=\"soft\">", views[f].result->figure->name,
+        bl_html_tagged(out, "<li><a href=\"#", records[f].result->figure->name, "\">");
+        bl_html_tagged(out, "", records[f].result->figure->question, "</a> ");
+        bl_html_tagged(out, "<span class=\"soft\">", records[f].result->figure->name,
                        "</span></li>\n");
     }
     fputs("</ol></nav>\n", out);
@@ -195,24 +195,24 @@ static void put_head(FILE *out, const char *title) {
     bl_html_tagged(out, "</style>\n</head>\n<body>\n<header>\n<h1>", title, "</h1>\n");
 }
 
-bl_status bl_page_write(const char *path, const bl_run_view *views, size_t count,
+bl_status bl_page_write(const char *path, const bl_run_record *records, size_t count,
                         const bl_reproduce_settings *settings, bl_message *message) {
     bl_file file;
     bl_status status = bl_file_create(path, &file, message);
     if (status != BL_OK)
         return status;
     FILE *out = file.stream;
-    size_t claims = count_claims(views, count);
+    size_t claims = count_claims(records, count);
     put_head(out, claims ? "bandlimit: figures and claims" : "bandlimit: figures");
     if (claims)
-        put_tally(out, views, count);
-    put_contents(out, views, count);
+        put_tally(out, records, count);
+    put_contents(out, records, count);
     fputs("</header>\n<main>\n", out);
-    bl_page_findings(out, views, count);
+    bl_page_findings(out, records, count);
     if (claims)
         put_guide(out);
     for (size_t i = 0; i < count && status == BL_OK; i++)
-        status = put_figure(out, &views[i], message);
+        status = put_figure(out, &records[i], message);
     fprintf(out, "</main>\n<footer><p>bandlimit %s, size %s, seed %llu", BL_VERSION,
             bl_size_word(settings->size), (unsigned long long)settings->seed);
     if (settings->arguments && *settings->arguments)

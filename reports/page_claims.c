@@ -128,10 +128,10 @@ static void put_finding(FILE *out, const bl_figure_result *result, size_t from, 
 }
 
 // The claims that somebody should read first, each with a link to its figure.
-void bl_page_findings(FILE *out, const bl_run_view *views, size_t count) {
+void bl_page_findings(FILE *out, const bl_run_record *records, size_t count) {
     int any = 0;
     for (size_t f = 0; f < count; f++) {
-        const bl_figure_result *result = views[f].result;
+        const bl_figure_result *result = records[f].result;
         for (size_t from = 0, to; from < result->claim_count; from = to) {
             int failing = 0;
             for (to = from; to < result->claim_count &&

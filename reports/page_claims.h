@@ -6,7 +6,7 @@
 
 #include <stdio.h>
 
-#include "reports/run.h"
+#include "reports/record.h"
 
 // An outcome with its sign, in its colour.
 void bl_page_outcome(FILE *out, bl_outcome outcome);
@@ -16,6 +16,6 @@ void bl_page_claims(FILE *out, const bl_figure_result *result);
 
 // The claims that somebody should read first, each with a link to its figure: those that are
 // refuted or broken. Nothing if there are none.
-void bl_page_findings(FILE *out, const bl_run_view *views, size_t count);
+void bl_page_findings(FILE *out, const bl_run_record *records, size_t count);
 
 #endif

@@ -8,7 +8,7 @@
 
 #include "core/file.h"
 #include "core/grammar.h"
-#include "reports/run.h"
+#include "reports/record.h"
 #include "reports/page.h"
 
 bl_reproduce_settings bl_reproduce_default_settings(void) {
@@ -102,16 +102,16 @@ static void sum_up(const runs *all, bl_reproduction *result) {
 
 static bl_status write_page(const runs *all, const bl_reproduce_settings *settings,
                             bl_reproduction *result, bl_message *message) {
-    bl_run_view *views = calloc(all->count + 1, sizeof *views);
-    if (!views || asprintf(&result->page, "%s/index.html", settings->folder) < 0) {
-        free(views);
+    bl_run_record *records = calloc(all->count + 1, sizeof *records);
+    if (!records || asprintf(&result->page, "%s/index.html", settings->folder) < 0) {
+        free(records);
         result->page = NULL;
         return bl_report(message, BL_DEVICE, "out of memory");
     }
     for (size_t i = 0; i < all->count; i++)
-        views[i] = bl_run_look(all->run[i]);
-    bl_status status = bl_page_write(result->page, views, all->count, settings, message);
-    free(views);
+        records[i] = bl_run_look(all->run[i]);
+    bl_status status = bl_page_write(result->page, records, all->count, settings, message);
+    free(records);
     return status;
 }
 

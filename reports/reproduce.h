@@ -38,9 +38,9 @@ bl_reproduce_settings bl_reproduce_default_settings(void);
 
 // What became of one figure.
 typedef struct bl_figure_result {
-    const struct bl_figure *figure; // reports/run.h; static
-    char *folder;                   // of its files
-    char **files;                   // names in that folder, in the order they were written
+    const struct bl_figure *figure; // reports/figure.h; static
+    const char *folder;             // of its files
+    const char **files;             // names in that folder, in the order they were written
     size_t file_count;
     bl_claim *claims; // judged
     size_t claim_count;

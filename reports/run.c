@@ -3,7 +3,10 @@
 // A running figure: what it has written, said and claimed so far.
 #include "reports/run.h"
 
+#include <assert.h>
 #include <math.h>
+#include <omp.h>
+#include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,6 +15,8 @@
 
 #include "core/version.h"
 #include "reports/output.h"
+#include "reports/owned.h"
+#include "reports/record.h"
 
 struct bl_run {
     const bl_reproduce_settings *settings;
@@ -20,47 +25,68 @@ struct bl_run {
     bl_run_note *notes;
     bl_run_picture *plots;
     size_t note_count, plot_count;
-    char **texts; // every string that a service copied
-    size_t text_count;
-    int starved; // a list could not grow: reported when the figure ends
+    bl_owned texts;  // every string that a service copied; they live as long as the run
+    bl_owned opened; // what the figure opened, measured and allocated, until it ends
+    jmp_buf end;     // where a failure leads to
+    bl_status status;
+    bl_message *message; // of the caller
 };
 
-// Makes room for one more element of a list. On failure the list is untouched and the run is
-// marked, so that lists of notes and claims need no status of their own.
-static int grow(bl_run *run, void *list, size_t count, size_t size) {
-    void **where = list;
-    if (count & (count - 1)) // room is made at 0 and at the powers of two
-        return 1;
-    void *larger = realloc(*where, (count ? 2 * count : 1) * size);
-    if (!larger) {
-        run->starved = 1;
-        return 0;
-    }
-    *where = larger;
-    return 1;
+// --- failing ------------------------------------------------------------------------------------
+
+bl_message *bl_run_message(bl_run *run) {
+    return run->message;
+}
+
+void bl_run_must(bl_run *run, bl_status status) {
+    assert(!omp_in_parallel());
+    if (status == BL_OK)
+        return;
+    run->status = status;
+    longjmp(run->end, 1);
+}
+
+static void need(bl_run *run, int have) {
+    if (!have)
+        bl_run_must(run, bl_report(run->message, BL_DEVICE, "out of memory in figure %s",
+                                   run->result.figure->name));
+}
+
+// Makes room for one more element of a list.
+static void grow(bl_run *run, void *list, size_t count, size_t size) {
+    need(run, bl_grow(list, count, size));
+}
+
+// --- what is owned ------------------------------------------------------------------------------
+
+void *bl_run_keep(bl_run *run, void *thing, void (*release)(void *thing)) {
+    need(run, thing && bl_owned_add(&run->opened, thing, release));
+    return thing;
+}
+
+void bl_run_release(bl_run *run, const void *thing) {
+    bl_owned_release(&run->opened, thing);
+}
+
+void *bl_run_memory(bl_run *run, size_t count, size_t size) {
+    return bl_run_keep(run, calloc(count ? count : 1, size), free);
 }
 
 static const char *keep(bl_run *run, char *text) {
-    if (!text || !grow(run, &run->texts, run->text_count, sizeof *run->texts)) {
-        free(text);
-        run->starved = 1;
-        return "";
-    }
-    return run->texts[run->text_count++] = text;
-}
-
-const char *bl_run_vtext(bl_run *run, const char *format, va_list arguments) {
-    char *text = NULL;
-    return keep(run, vasprintf(&text, format, arguments) < 0 ? NULL : text);
+    need(run, text && bl_owned_add(&run->texts, text, free));
+    return text;
 }
 
 const char *bl_run_text(bl_run *run, const char *format, ...) {
+    char *text = NULL;
     va_list arguments;
     va_start(arguments, format);
-    const char *text = bl_run_vtext(run, format, arguments);
+    int length = vasprintf(&text, format, arguments);
     va_end(arguments);
-    return text;
+    return keep(run, length < 0 ? NULL : text);
 }
+
+// --- what is said -------------------------------------------------------------------------------
 
 const bl_reproduce_settings *bl_run_settings(const bl_run *run) {
     return run->settings;
@@ -77,20 +103,15 @@ void bl_run_step(bl_run *run, const char *step) {
 }
 
 void bl_run_setting(bl_run *run, const char *name, const char *value) {
-    if (grow(run, &run->notes, run->note_count, sizeof *run->notes))
-        run->notes[run->note_count++] =
-            (bl_run_note){keep(run, strdup(name)), keep(run, strdup(value))};
+    const bl_run_note note = {keep(run, strdup(name)), keep(run, strdup(value))};
+    grow(run, &run->notes, run->note_count, sizeof *run->notes);
+    run->notes[run->note_count++] = note;
 }
 
 static void add_file(bl_run *run, const char *name, const char *ending) {
     bl_figure_result *result = &run->result;
-    if (!grow(run, &result->files, result->file_count, sizeof *result->files))
-        return;
-    char *file = NULL;
-    if (asprintf(&file, "%s.%s", name, ending) < 0)
-        run->starved = 1;
-    else
-        result->files[result->file_count++] = file;
+    grow(run, &result->files, result->file_count, sizeof *result->files);
+    result->files[result->file_count++] = bl_run_text(run, "%s.%s", name, ending);
 }
 
 // RFC 4180: quotes only where they are needed, doubled inside.
@@ -135,24 +156,19 @@ static void put_table(FILE *out, const bl_run *run, const char *what, const bl_c
         }
 }
 
-bl_status bl_run_csv(bl_run *run, const char *name, const char *what, const bl_column *columns,
-                     size_t column_count, size_t rows, bl_message *message) {
+void bl_run_csv(bl_run *run, const char *name, const char *what, const bl_column *columns,
+                size_t column_count, size_t rows) {
     bl_file file;
-    bl_status status = bl_output_create(run->result.folder, name, "csv", &file, message);
-    if (status != BL_OK)
-        return status;
+    bl_run_must(run, bl_output_create(run->result.folder, name, "csv", &file, run->message));
     put_table(file.stream, run, what, columns, column_count, rows);
-    status = bl_file_commit(&file, message);
-    if (status == BL_OK)
-        add_file(run, name, "csv");
-    return status;
+    bl_run_must(run, bl_file_commit(&file, run->message));
+    add_file(run, name, "csv");
 }
 
 // What the page tells of a plot: its texts, and its legend.
 static void keep_picture(bl_run *run, const char *name, const bl_plot *plot,
                          const char *alternative) {
-    if (!grow(run, &run->plots, run->plot_count, sizeof *run->plots))
-        return;
+    grow(run, &run->plots, run->plot_count, sizeof *run->plots);
     bl_run_picture *kept = &run->plots[run->plot_count++];
     *kept = (bl_run_picture){.name = keep(run, strdup(name)),
                              .text = keep(run, strdup(alternative)),
@@ -165,32 +181,24 @@ static void keep_picture(bl_run *run, const char *name, const bl_plot *plot,
                              panel->series[i].ink};
 }
 
-bl_status bl_run_plot(bl_run *run, const char *name, const bl_plot *plot, const char *alternative,
-                      bl_message *message) {
+void bl_run_plot(bl_run *run, const char *name, const bl_plot *plot, const char *alternative) {
     int with_pdf = strcmp(run->settings->format, "pdf") == 0;
     const char *folder = run->result.folder;
     bl_run_step(run, "plotting");
-    bl_status status = bl_plot_write(plot, folder, name, with_pdf, message);
-    if (status == BL_OK) {
-        add_file(run, name, "gp");
-        status = bl_plot_run(folder, name, with_pdf, message);
-    }
-    if (status != BL_OK)
-        return status;
+    bl_run_must(run, bl_plot_write(plot, folder, name, with_pdf, run->message));
+    add_file(run, name, "gp");
+    bl_run_must(run, bl_plot_run(folder, name, with_pdf, run->message));
     add_file(run, name, "svg");
     add_file(run, name, "png");
     if (with_pdf)
         add_file(run, name, "pdf");
     keep_picture(run, name, plot, alternative);
-    return BL_OK;
 }
 
 // The image's own attributes, then the settings of the run as "bandlimit:NAME".
-static bl_attribute *attributes_of(bl_run *run, const bl_image *image, size_t *count) {
+static const bl_attribute *attributes_of(bl_run *run, const bl_image *image, size_t *count) {
     *count = image->attribute_count + run->note_count;
-    bl_attribute *attributes = calloc(*count + 1, sizeof *attributes);
-    if (!attributes)
-        return NULL;
+    bl_attribute *attributes = bl_run_memory(run, *count, sizeof *attributes);
     for (size_t i = 0; i < image->attribute_count; i++)
         attributes[i] = image->attributes[i];
     for (size_t i = 0; i < run->note_count; i++)
@@ -199,40 +207,34 @@ static bl_attribute *attributes_of(bl_run *run, const bl_image *image, size_t *c
     return attributes;
 }
 
-bl_status bl_run_image(bl_run *run, const char *name, const bl_image *image, bl_message *message) {
+void bl_run_image(bl_run *run, const char *name, const bl_image *image) {
     static const char *const endings[] = {"exr", "png"};
     bl_image full = *image;
-    bl_attribute *attributes = attributes_of(run, image, &full.attribute_count);
-    full.attributes = attributes;
-    bl_status status = attributes ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
-    for (int i = 0; i < 2 && status == BL_OK; i++) {
-        char *path = bl_output_path(run->result.folder, name, endings[i]);
-        status = path ? bl_image_write(path, &full, message)
-                      : bl_report(message, BL_DEVICE, "out of memory");
-        free(path);
-        if (status == BL_OK)
-            add_file(run, name, endings[i]);
+    full.attributes = attributes_of(run, image, &full.attribute_count);
+    for (int i = 0; i < 2; i++) {
+        const char *path = bl_run_text(run, "%s/%s.%s", run->result.folder, name, endings[i]);
+        bl_run_must(run, bl_image_write(path, &full, run->message));
+        add_file(run, name, endings[i]);
     }
-    free(attributes);
-    return status;
 }
 
 void bl_run_claim(bl_run *run, const bl_claim *claim) {
     bl_figure_result *result = &run->result;
-    if (!grow(run, &result->claims, result->claim_count, sizeof *result->claims))
-        return;
+    grow(run, &result->claims, result->claim_count, sizeof *result->claims);
     bl_claim *kept = &result->claims[result->claim_count++];
     *kept = *claim;
     bl_claim_judge(kept);
     result->outcomes[bl_claim_outcome(kept)]++;
 }
 
-bl_run_view bl_run_look(const bl_run *run) {
-    return (bl_run_view){.result = &run->result,
-                         .settings = run->notes,
-                         .setting_count = run->note_count,
-                         .plots = run->plots,
-                         .plot_count = run->plot_count};
+// --- the harness --------------------------------------------------------------------------------
+
+bl_run_record bl_run_look(const bl_run *run) {
+    return (bl_run_record){.result = &run->result,
+                           .settings = run->notes,
+                           .setting_count = run->note_count,
+                           .plots = run->plots,
+                           .plot_count = run->plot_count};
 }
 
 static double now(void) {
@@ -241,25 +243,15 @@ static double now(void) {
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-static bl_status run_it(bl_run *run, bl_message *message) {
+static void make_figure(bl_run *run) {
     const bl_figure *figure = run->result.figure;
-    if (asprintf(&run->result.folder, "%s/%s", run->settings->folder, figure->name) < 0) {
-        run->result.folder = NULL;
-        return bl_report(message, BL_DEVICE, "out of memory");
-    }
-    bl_status status = bl_make_folder(run->result.folder, message);
+    run->result.folder = bl_run_text(run, "%s/%s", run->settings->folder, figure->name);
+    bl_run_must(run, bl_make_folder(run->result.folder, run->message));
     bl_run_step(run, "starting");
-    if (status == BL_OK)
-        status = figure->run(run, message);
-    if (status == BL_OK)
-        add_file(run, figure->name, "json");
-    if (status == BL_OK && run->starved)
-        status = bl_report(message, BL_DEVICE, "out of memory in figure %s", figure->name);
-    if (status == BL_OK) {
-        bl_run_view view = bl_run_look(run);
-        status = bl_run_write_json(&view, run->settings, message);
-    }
-    return status;
+    figure->run(run);
+    add_file(run, figure->name, "json");
+    const bl_run_record record = bl_run_look(run);
+    bl_run_must(run, bl_run_write_json(&record, run->settings, run->message));
 }
 
 bl_status bl_run_figure(const bl_figure *figure, const bl_reproduce_settings *settings, size_t done,
@@ -271,9 +263,13 @@ bl_status bl_run_figure(const bl_figure *figure, const bl_reproduce_settings *se
     run->done = done;
     run->total = total;
     run->result.figure = figure;
-    double start = now();
-    bl_status status = run_it(run, message);
+    run->message = message;
+    const double start = now();
+    if (setjmp(run->end) == 0)
+        make_figure(run);
     run->result.seconds = now() - start;
+    bl_owned_release_all(&run->opened);
+    const bl_status status = run->status;
     if (status == BL_OK)
         *out = run;
     else
@@ -284,14 +280,9 @@ bl_status bl_run_figure(const bl_figure *figure, const bl_reproduce_settings *se
 void bl_run_free(bl_run *run) {
     if (!run)
         return;
-    for (size_t i = 0; i < run->result.file_count; i++)
-        free(run->result.files[i]);
-    for (size_t i = 0; i < run->text_count; i++)
-        free(run->texts[i]);
+    bl_owned_release_all(&run->texts);
     free(run->result.files);
     free(run->result.claims);
-    free(run->result.folder);
-    free(run->texts);
     free(run->notes);
     free(run->plots);
     free(run);

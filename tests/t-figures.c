@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "core/version.h"
-#include "reports/run.h"
+#include "reports/figure.h"
 
 static bl_reproduction first_run; // of all figures, shared by the tests
 

@@ -52,11 +52,11 @@ static char *write_example(const char *name) {
                                .claim_count = 5};
     for (int i = 0; i < 5; i++)
         result.outcomes[bl_claim_outcome(&claims[i])]++;
-    const bl_run_view view = {.result = &result,
-                              .settings = settings_notes,
-                              .setting_count = 1,
-                              .plots = plots,
-                              .plot_count = 1};
+    const bl_run_record view = {.result = &result,
+                                .settings = settings_notes,
+                                .setting_count = 1,
+                                .plots = plots,
+                                .plot_count = 1};
     bl_reproduce_settings settings = bl_reproduce_default_settings();
     bl_message message = {""};
     const char *path = bl_temporary_path(name);
@@ -164,7 +164,7 @@ static void test_a_missing_picture_or_folder_is_reported_and_leaves_no_page(void
     (void)state;
     free(write_example("before.html"));
     bl_figure_result result = {.figure = &figure, .folder = (char *)bl_temporary_path("nowhere")};
-    const bl_run_view view = {.result = &result, .plots = plots, .plot_count = 1};
+    const bl_run_record view = {.result = &result, .plots = plots, .plot_count = 1};
     bl_reproduce_settings settings = bl_reproduce_default_settings();
     bl_message message = {""};
     assert_int_equal(bl_page_write(bl_temporary_path("none.html"), &view, 1, &settings, &message),

@@ -8,7 +8,7 @@
 #include <dirent.h>
 
 #include "noises/noise.h"
-#include "reports/run.h"
+#include "reports/figure.h"
 
 enum { KEYS_MOST = 256, KEY_SIZE = 32 };
 

@@ -3,13 +3,11 @@
 // alias-blur: what methods of sampling leave of the alias and what they cost in blur, on three
 // textures.
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "aliasing/alias.h"
 #include "aliasing/energy.h"
 #include "reports/figures/estimates.h"
-#include "sources/source.h"
+#include "reports/measure.h"
 #include "textures/texture.h"
 
 enum { OWN, POINT, REGULAR, RANDOM, KINDS };
@@ -74,11 +72,6 @@ static const subject subjects[SUBJECTS] = {
      {{"exact", "exact box", OWN}, COMMON},
      {"point", "supersample:n=4", "supersample:n=4,pattern=jitter", "exact"}}};
 
-typedef struct measured {
-    bl_alias_result result;
-    const way *ways;
-} measured;
-
 // The least that is drawn, in dB of the alias of point samples; what has less stands there.
 enum { LEAST_BLUR = -30, LEAST_ALIAS = -34 };
 
@@ -89,10 +82,10 @@ static size_t way_count(const subject *s) {
     return count;
 }
 
-static const bl_alias_row *row_of(const subject *s, const measured *m, const char *method) {
+static const bl_alias_row *row_of(const subject *s, const bl_alias_result *m, const char *method) {
     for (size_t i = 0; i < way_count(s); i++)
         if (s->ways[i].method == method || !strcmp(s->ways[i].method, method))
-            return &m->result.rows[i];
+            return &m->rows[i];
     return NULL;
 }
 
@@ -109,41 +102,26 @@ static const char *view_of(bl_run *run, int n, size_t pixels) {
                                 (double)pixels / pixels_a_unit[n]);
 }
 
-static bl_status measure(bl_run *run, int n, measured *m, bl_message *message) {
+static const bl_alias_result *measure(bl_run *run, int n) {
     const subject *s = &subjects[n];
     const size_t pixels = (size_t)bl_run_pick(run, 32, 64, 128);
     const char *methods[METHODS_MOST];
-    bl_alias_settings settings = bl_alias_default_settings();
-    bl_signal *signal;
-    bl_view view;
-    settings.replicates = (unsigned)bl_run_pick(run, 2, 3, 16);
-    settings.most_samples = (uint32_t)bl_run_pick(run, 32, 128, 1024);
-    settings.finest = (unsigned)bl_run_pick(run, 8, 16, 16);
-    settings.frames = 0;
-    settings.rounds = 0;
-    settings.seed = bl_run_settings(run)->seed;
-    settings.threads = bl_run_settings(run)->threads;
-    bl_status status = bl_source_open(text_of(run, n, pixels), BL_ISA_BEST, &signal, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_view_open(view_of(run, n, pixels), pixels, pixels, &view, message);
-    if (status == BL_OK) {
-        for (size_t i = 0; i < way_count(s); i++)
-            methods[i] = s->ways[i].method;
-        bl_run_setting(run, bl_run_text(run, "%s", s->key), signal->text);
-        bl_run_setting(run, bl_run_text(run, "view of %s", s->key), view.text);
-        bl_run_step(run, s->key);
-        status =
-            bl_alias_measure(signal, &view, methods, way_count(s), &settings, &m->result, message);
-        bl_view_close(&view);
-    }
-    bl_signal_free(signal);
-    return status;
+    const bl_alias_settings settings =
+        bl_run_alias_settings(run, bl_run_pick(run, 2, 3, 16), bl_run_pick(run, 8, 16, 16),
+                              bl_run_pick(run, 32, 128, 1024));
+    const bl_signal *signal = bl_run_signal(run, text_of(run, n, pixels));
+    const bl_view *view = bl_run_view(run, view_of(run, n, pixels), pixels, pixels);
+    for (size_t i = 0; i < way_count(s); i++)
+        methods[i] = s->ways[i].method;
+    bl_run_setting(run, s->key, signal->text);
+    bl_run_setting(run, bl_run_text(run, "view of %s", s->key), view->text);
+    bl_run_step(run, s->key);
+    return bl_run_alias(run, signal, view, methods, way_count(s), &settings);
 }
 
 // --- the plot of alias against blur --------------------------------------------------------------
 
-static bl_status write_rows(bl_run *run, const subject *s, const measured *m, bl_message *message) {
+static void write_rows(bl_run *run, const subject *s, const bl_alias_result *m) {
     enum { BLUR, ALIAS, ALIAS_LOWER, ALIAS_UPPER, MSE, SAMPLES, COLUMNS };
     static const char *const names[] = {"blur",        "alias", "alias_lower",
                                         "alias_upper", "mse",   "samples_a_pixel"};
@@ -151,7 +129,7 @@ static bl_status write_rows(bl_run *run, const subject *s, const measured *m, bl
     double values[COLUMNS][METHODS_MOST], drawn[KINDS + 2][METHODS_MOST];
     const double unit = row_of(s, m, "point")->alias.value;
     for (size_t i = 0; i < way_count(s); i++) {
-        const bl_alias_row *row = &m->result.rows[i];
+        const bl_alias_row *row = &m->rows[i];
         words[i] = s->ways[i].word;
         methods[i] = row->method;
         values[BLUR][i] = row->blur.value;
@@ -173,13 +151,13 @@ static bl_status write_rows(bl_run *run, const subject *s, const measured *m, bl
         columns[count++] = (bl_column){kind_names[k], drawn[k], NULL};
     columns[count++] = (bl_column){"alias_db", drawn[KINDS], NULL};
     columns[count++] = (bl_column){"blur_db", drawn[KINDS + 1], NULL};
-    return bl_run_csv(run, s->key,
-                      "alias and blur of each method, squares of the value, and dB of the alias of "
-                      "point samples",
-                      columns, count, way_count(s), message);
+    bl_run_csv(run, s->key,
+               "alias and blur of each method, squares of the value, and dB of the alias of "
+               "point samples",
+               columns, count, way_count(s));
 }
 
-static bl_status draw_rows(bl_run *run, bl_message *message) {
+static void draw_rows(bl_run *run) {
     bl_series series[DRAWN][KINDS + 1];
     bl_panel panels[DRAWN];
     for (int n = 0; n < DRAWN; n++) {
@@ -199,45 +177,36 @@ static bl_status draw_rows(bl_run *run, bl_message *message) {
                           .panel_count = DRAWN,
                           .columns = 1,
                           .aspect = 0.5};
-    return bl_run_plot(run, "alias-blur", &plot,
-                       "Three panels of named dots, alias upwards and blur to the right: point "
-                       "sampling stands on top, the textures' own filters below.",
-                       message);
+    bl_run_plot(run, "alias-blur", &plot,
+                "Three panels of named dots, alias upwards and blur to the right: point "
+                "sampling stands on top, the textures' own filters below.");
 }
 
 // --- pictures ------------------------------------------------------------------------------------
 
-static bl_status draw_picture(bl_run *run, const char *key, const bl_alias_row *row, size_t pixels,
-                              bl_message *message) {
-    float *values = malloc(3 * pixels * pixels * sizeof *values);
-    if (!values)
-        return bl_report(message, BL_DEVICE, "out of memory");
+static void draw_picture(bl_run *run, const char *key, const bl_alias_row *row, size_t pixels) {
+    float *values = bl_run_memory(run, 3 * pixels * pixels, sizeof *values);
     for (size_t i = 0; i < 3 * pixels * pixels; i++)
         values[i] = (float)row->image[i];
-    bl_status status = bl_run_image(run, key,
-                                    &(bl_image){.width = pixels,
-                                                .height = pixels,
-                                                .channels = 3,
-                                                .values = values,
-                                                .spacing = 1,
-                                                .white = 1,
-                                                .srgb = 1},
-                                    message);
-    free(values);
-    return status;
+    bl_run_image(run, key,
+                 &(bl_image){.width = pixels,
+                             .height = pixels,
+                             .channels = 3,
+                             .values = values,
+                             .spacing = 1,
+                             .white = 1,
+                             .srgb = 1});
 }
 
-static bl_status draw_pictures(bl_run *run, const measured *all, bl_message *message) {
+static void draw_pictures(bl_run *run, const bl_alias_result *const *all) {
     bl_panel panels[SUBJECTS * SHOWN];
-    size_t count = 0, pixels = all[0].result.reference.width;
+    size_t count = 0, pixels = all[0]->reference.width;
     for (int n = 0; n < SUBJECTS; n++)
         for (int k = 0; k < SHOWN && subjects[n].shown[k]; k++) {
-            const bl_alias_row *row = row_of(&subjects[n], &all[n], subjects[n].shown[k]);
-            const char *word = subjects[n].ways[row - all[n].result.rows].word,
+            const bl_alias_row *row = row_of(&subjects[n], all[n], subjects[n].shown[k]);
+            const char *word = subjects[n].ways[row - all[n]->rows].word,
                        *key = bl_run_text(run, "%s-%d", subjects[n].key, k + 1);
-            bl_status status = draw_picture(run, key, row, pixels, message);
-            if (status != BL_OK)
-                return status;
+            draw_picture(run, key, row, pixels);
             panels[count++] = (bl_panel){.title = word, .image = bl_run_text(run, "%s.png", key)};
         }
     const bl_plot plot = {.title = "What is left to see?",
@@ -249,10 +218,9 @@ static bl_status draw_pictures(bl_run *run, const measured *all, bl_message *mes
                           .aspect = 1,
                           .coloured = 1,
                           .pixel = 1};
-    return bl_run_plot(run, "pictures", &plot,
-                       "A brick wall, a zone plate and a sine: point sampled with false patterns, "
-                       "supersampled with fainter ones, jittered with noise, filtered with none.",
-                       message);
+    bl_run_plot(run, "pictures", &plot,
+                "A brick wall, a zone plate and a sine: point sampled with false patterns, "
+                "supersampled with fainter ones, jittered with noise, filtered with none.");
 }
 
 // --- the largest single frequency of the error ---------------------------------------------------
@@ -273,41 +241,34 @@ typedef struct error_lines {
     double energy, largest; // mean square of the error, and the part of one frequency in it
 } error_lines;
 
-static bl_status measure_lines(const measured *m, const bl_alias_row *row, error_lines *lines,
-                               bl_message *message) {
-    const bl_reference *reference = &m->result.reference;
+static error_lines measure_lines(bl_run *run, const bl_alias_result *m, const bl_alias_row *row) {
+    const bl_reference *reference = &m->reference;
     const error_image image = {row, reference};
+    error_lines lines = {0, 0};
     bl_image_spectrum spectrum;
-    bl_status status =
-        bl_image_spectrum_take(error_at, &image, reference->width, reference->height, 1,
-                               (const double[2]){0.5, 0.5}, 0, 1, &spectrum, message);
-    if (status != BL_OK)
-        return status;
+    bl_run_must(run, bl_image_spectrum_take(error_at, &image, reference->width, reference->height,
+                                            1, (const double[2]){0.5, 0.5}, 0, 1, &spectrum,
+                                            bl_run_message(run)));
     size_t half = reference->width / 2 + 1;
-    *lines = (error_lines){0, 0};
     for (size_t k = 0; k < half * reference->height; k++) {
         const double *c = spectrum.coefficient + 2 * k;
         int twice = k % half && k % half != half - 1;
         double energy = (1 + twice) * (c[0] * c[0] + c[1] * c[1]);
-        lines->energy += energy;
-        lines->largest = fmax(lines->largest, energy);
+        lines.energy += energy;
+        lines.largest = fmax(lines.largest, energy);
     }
     bl_image_spectrum_free(&spectrum);
-    return BL_OK;
+    return lines;
 }
 
-static bl_status claim_lines(bl_run *run, int n, const measured *m, bl_message *message) {
+static void claim_lines(bl_run *run, int n, const bl_alias_result *m) {
     const subject *s = &subjects[n];
-    error_lines regular, jittered;
-    bl_status status = measure_lines(m, row_of(s, m, "supersample:n=4"), &regular, message);
-    if (status == BL_OK)
-        status =
-            measure_lines(m, row_of(s, m, "supersample:n=4,pattern=jitter"), &jittered, message);
-    if (status != BL_OK)
-        return status;
+    const error_lines regular = measure_lines(run, m, row_of(s, m, "supersample:n=4"));
+    const error_lines jittered =
+        measure_lines(run, m, row_of(s, m, "supersample:n=4,pattern=jitter"));
     double energy = 10 * log10(jittered.energy / regular.energy);
     double share = 10 * log10(jittered.largest / regular.largest) - energy;
-    double pixels = (double)(m->result.reference.width * m->result.reference.height);
+    double pixels = (double)(m->reference.width * m->reference.height);
     const char *reading =
         bl_run_text(run, "%s, 4 x 4 samples, jittered over regular", subjects[n].key);
     bl_make_claim(run, "peachey2003, Methods of Antialiasing Procedural Textures",
@@ -319,7 +280,7 @@ static bl_status claim_lines(bl_run *run, int n, const measured *m, bl_message *
                   "error keeps at least a hundredth of its energy.",
                   reading, "dB", -20, INFINITY, bl_observed(energy, pixels), "pixels");
     if (n != SINE)
-        return BL_OK;
+        return;
     // Regular places see the sine stand still and keep 0.968 of its energy (their response squared
     // at 4.1 cycles per pixel); 16 irregular ones are as many independent values of it, and their
     // mean has 1/16: -11.9 dB. The energy is a sum over some 400 pixels or more, good to 0.3 dB.
@@ -327,22 +288,22 @@ static bl_status claim_lines(bl_run *run, int n, const measured *m, bl_message *
                   "Noise is less than the alias it replaces: n samples a pixel spread it over n "
                   "times the band, and 1/n of its energy is left.",
                   reading, "dB", -13.4, -10.4, bl_observed(energy, pixels), "pixels");
-    return BL_OK;
 }
 
 // --- claims --------------------------------------------------------------------------------------
 
 static void claim_ratio(bl_run *run, const char *source, const char *sentence, int n,
-                        const measured *all, const char *a, const char *b, double upper) {
-    const bl_alias_row *above = row_of(&subjects[n], &all[n], a);
-    const bl_alias_row *below = row_of(&subjects[n], &all[n], b);
+                        const bl_alias_result *const *all, const char *a, const char *b,
+                        double upper) {
+    const bl_alias_row *above = row_of(&subjects[n], all[n], a);
+    const bl_alias_row *below = row_of(&subjects[n], all[n], b);
     bl_make_claim(run, source, sentence,
                   bl_run_text(run, "%s: alias of %s over that of %s", subjects[n].key, a, b), "dB",
                   -INFINITY, upper, bl_ratio_db(above->alias, below->alias),
                   "random shifts of the pixels");
 }
 
-static bl_status claim_all(bl_run *run, const measured *all, bl_message *message) {
+static void claim_all(bl_run *run, const bl_alias_result *const *all) {
     static const char *const section = "peachey2003, Methods of Antialiasing Procedural Textures";
     claim_ratio(run, "peachey2003, Example: Antialiased Brick Texture",
                 "The integral takes the alias of a brick wall away: at least nine tenths.", 0, all,
@@ -365,28 +326,19 @@ static bl_status claim_all(bl_run *run, const measured *all, bl_message *message
                 "A Gaussian of the same width lets less alias through than a box, whose response "
                 "falls slowly.",
                 1, all, "gaussian", "exact", 0);
-    bl_status status = claim_lines(run, 0, &all[0], message);
-    return status == BL_OK ? claim_lines(run, SINE, &all[SINE], message) : status;
+    claim_lines(run, 0, all[0]);
+    claim_lines(run, SINE, all[SINE]);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    measured all[SUBJECTS] = {0};
-    bl_status status = BL_OK;
-    int done = 0;
-    for (; done < SUBJECTS && status == BL_OK; done++)
-        status = measure(run, done, &all[done], message);
-    done -= status != BL_OK;
-    for (int n = 0; n < SUBJECTS && status == BL_OK; n++)
-        status = write_rows(run, &subjects[n], &all[n], message);
-    if (status == BL_OK)
-        status = draw_rows(run, message);
-    if (status == BL_OK)
-        status = draw_pictures(run, all, message);
-    if (status == BL_OK)
-        status = claim_all(run, all, message);
-    for (int n = 0; n < done; n++)
-        bl_alias_free(&all[n].result);
-    return status;
+static void run_figure(bl_run *run) {
+    const bl_alias_result *all[SUBJECTS];
+    for (int n = 0; n < SUBJECTS; n++)
+        all[n] = measure(run, n);
+    for (int n = 0; n < SUBJECTS; n++)
+        write_rows(run, &subjects[n], all[n]);
+    draw_rows(run);
+    draw_pictures(run, all);
+    claim_all(run, all);
 }
 
 BL_FIGURE_DESCRIPTOR(alias_blur) = {

@@ -7,6 +7,6 @@
 #include "reports/figures/gallery.h"
 
 // Opens every noise with its default settings and the seed of the run.
-bl_status bl_all_noises_open(bl_run *run, bl_gallery *gallery, bl_message *message);
+bl_gallery bl_all_noises_open(bl_run *run);
 
 #endif

@@ -2,10 +2,8 @@
 #include "reports/figures/brick_wall.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "aliasing/scene.h"
-#include "sources/source.h"
 #include "textures/texture.h"
 
 enum { ENLARGED = 4, SIDE = ENLARGED * BL_WALL_PIXELS };
@@ -14,56 +12,37 @@ enum { ENLARGED = 4, SIDE = ENLARGED * BL_WALL_PIXELS };
 static const char brick_text[] = "brick:brick_width=0.25,brick_height=0.08,mortar=0.01";
 static const double mortar = 0.01, row_height = 0.09, row_width = 0.26;
 
-bl_status bl_wall_open(bl_run *run, bl_wall *wall, bl_message *message) {
-    *wall = (bl_wall){0};
-    bl_status status = bl_source_open(brick_text, BL_ISA_BEST, &wall->brick, message);
-    if (status == BL_OK)
-        status = bl_view_open("flat:scale=2", BL_WALL_PIXELS, BL_WALL_PIXELS, &wall->flat, message);
-    if (status == BL_OK)
-        status = bl_view_open("plane:height=0.5,fov=60,pitch=30,rotate=10", BL_WALL_PIXELS,
-                              BL_WALL_PIXELS, &wall->perspective, message);
-    if (status != BL_OK) {
-        bl_wall_close(wall);
-        return status;
-    }
+bl_wall bl_wall_open(bl_run *run) {
+    const bl_wall wall = {.brick = bl_run_signal(run, brick_text),
+                          .flat = bl_run_view(run, "flat:scale=2", BL_WALL_PIXELS, BL_WALL_PIXELS),
+                          .perspective =
+                              bl_run_view(run, "plane:height=0.5,fov=60,pitch=30,rotate=10",
+                                          BL_WALL_PIXELS, BL_WALL_PIXELS)};
     bl_run_setting(run, "texture", brick_text);
     bl_run_setting(run, "views", "flat:scale=2 and plane:height=0.5,pitch=30,rotate=10");
     bl_run_setting(run, "image",
                    bl_run_text(run, "%d x %d pixels", BL_WALL_PIXELS, BL_WALL_PIXELS));
-    return BL_OK;
+    return wall;
 }
 
-void bl_wall_close(bl_wall *wall) {
-    bl_signal_free(wall->brick);
-    bl_view_close(&wall->flat);
-    bl_view_close(&wall->perspective);
-}
-
-// The image of a method, 3 values a pixel, of pixels[BL_WALL_PIXELS^2].
-static bl_status take_image(const bl_wall *wall, const bl_view *view, const char *text, double *rgb,
-                            bl_message *message) {
-    bl_method method;
+// The image of a method, 3 values a pixel of BL_WALL_PIXELS^2.
+static const double *take_image(bl_run *run, const bl_wall *wall, const bl_view *view,
+                                const char *text) {
+    double *rgb = bl_run_memory(run, 3 * (size_t)BL_WALL_PIXELS * BL_WALL_PIXELS, sizeof *rgb);
+    const bl_method *method = bl_run_method(run, text, wall->brick);
     bl_scene scene;
     double seen;
-    bl_status status = bl_method_open(text, wall->brick, &method, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_scene_make(wall->brick, view, 1, &scene, &seen, message);
-    if (status == BL_OK) {
-        scene.signal = method.signal;
-        bl_scene_image(&(bl_scene_method){&scene, method.kind, method.parameters}, 1, rgb);
-    }
-    bl_method_close(&method);
-    return status;
+    bl_run_must(run, bl_scene_make(wall->brick, view, 1, &scene, &seen, bl_run_message(run)));
+    scene.signal = method->signal;
+    bl_scene_image(&(bl_scene_method){&scene, method->kind, method->parameters}, 1, rgb);
+    return rgb;
 }
 
-static bl_status write_image(bl_run *run, const bl_wall *wall, const bl_view *view,
-                             const char *method, const char *name, bl_message *message) {
-    double *rgb = malloc(3 * (size_t)BL_WALL_PIXELS * BL_WALL_PIXELS * sizeof *rgb);
-    float *values = malloc((size_t)SIDE * SIDE * sizeof *values);
-    bl_status status = rgb && values ? take_image(wall, view, method, rgb, message)
-                                     : bl_report(message, BL_DEVICE, "out of memory");
-    for (size_t j = 0; j < SIDE && status == BL_OK; j++)
+static void write_image(bl_run *run, const bl_wall *wall, const bl_view *view, const char *method,
+                        const char *name) {
+    const double *rgb = take_image(run, wall, view, method);
+    float *values = bl_run_memory(run, (size_t)SIDE * SIDE, sizeof *values);
+    for (size_t j = 0; j < SIDE; j++)
         for (size_t i = 0; i < SIDE; i++)
             values[j * SIDE + i] = (float)bl_colour_component(
                 &rgb[3 * (j / ENLARGED * BL_WALL_PIXELS + i / ENLARGED)], 0);
@@ -77,20 +56,15 @@ static bl_status write_image(bl_run *run, const bl_wall *wall, const bl_view *vi
                             .white = 0.52,
                             .attributes = attributes,
                             .attribute_count = 3};
-    if (status == BL_OK)
-        status = bl_run_image(run, name, &image, message);
-    free(values);
-    free(rgb);
-    return status;
+    bl_run_image(run, name, &image);
 }
 
-bl_status bl_wall_draw(bl_run *run, const bl_wall *wall, const char *method, const char *name,
-                       const char *title, const char *alternative, bl_message *message) {
+void bl_wall_draw(bl_run *run, const bl_wall *wall, const char *method, const char *name,
+                  const char *title, const char *alternative) {
     const char *flat = bl_run_text(run, "%s-flat", name);
     const char *plane = bl_run_text(run, "%s-plane", name);
-    bl_status status = write_image(run, wall, &wall->flat, method, flat, message);
-    if (status == BL_OK)
-        status = write_image(run, wall, &wall->perspective, method, plane, message);
+    write_image(run, wall, wall->flat, method, flat);
+    write_image(run, wall, wall->perspective, method, plane);
     const bl_panel panels[] = {{"straight ahead", NULL, 0, bl_run_text(run, "%s.png", flat)},
                                {"in perspective", NULL, 0, bl_run_text(run, "%s.png", plane)}};
     const bl_plot plot = {.title = title,
@@ -104,7 +78,7 @@ bl_status bl_wall_draw(bl_run *run, const bl_wall *wall, const char *method, con
                           .white = 0.52,
                           .pixel = 1.0 / ENLARGED,
                           .scale_label = "luminance"};
-    return status == BL_OK ? bl_run_plot(run, name, &plot, alternative, message) : status;
+    bl_run_plot(run, name, &plot, alternative);
 }
 
 // The pixel column nearest to a quarter of a brick: in rows that are shifted by a half it is at
@@ -114,7 +88,7 @@ static size_t column_through_bricks(const bl_wall *wall) {
     double least = INFINITY;
     for (size_t i = BL_WALL_PIXELS / 2; i < BL_WALL_PIXELS; i++) {
         bl_sight sight;
-        bl_view_see(&wall->flat, (double)i + 0.5, 0.5, &sight);
+        bl_view_see(wall->flat, (double)i + 0.5, 0.5, &sight);
         double s = sight.at[0] / row_width, off = fabs(s - floor(s) - 0.25);
         if (off < least) {
             least = off;
@@ -124,12 +98,9 @@ static size_t column_through_bricks(const bl_wall *wall) {
     return best;
 }
 
-bl_status bl_wall_widths(const bl_wall *wall, const char *method, double place[BL_WALL_JOINTS],
-                         double width[BL_WALL_JOINTS], bl_message *message) {
-    double *rgb = malloc(3 * (size_t)BL_WALL_PIXELS * BL_WALL_PIXELS * sizeof *rgb);
-    if (!rgb)
-        return bl_report(message, BL_DEVICE, "out of memory");
-    bl_status status = take_image(wall, &wall->flat, method, rgb, message);
+void bl_wall_widths(bl_run *run, const bl_wall *wall, const char *method,
+                    double place[BL_WALL_JOINTS], double width[BL_WALL_JOINTS]) {
+    const double *rgb = take_image(run, wall, wall->flat, method);
     const double bricks = 0.2126 * 0.5 + 0.7152 * 0.15 + 0.0722 * 0.14, joints = 0.5;
     const double pixel = 2.0 / BL_WALL_PIXELS;
     const size_t column = column_through_bricks(wall);
@@ -137,16 +108,14 @@ bl_status bl_wall_widths(const bl_wall *wall, const char *method, double place[B
         place[k] = row_height * (k - BL_WALL_JOINTS / 2);
         width[k] = 0;
     }
-    for (size_t j = 0; j < BL_WALL_PIXELS && status == BL_OK; j++) {
+    for (size_t j = 0; j < BL_WALL_PIXELS; j++) {
         bl_sight sight;
-        bl_view_see(&wall->flat, (double)column + 0.5, (double)j + 0.5, &sight);
+        bl_view_see(wall->flat, (double)column + 0.5, (double)j + 0.5, &sight);
         double luminance = bl_colour_component(&rgb[3 * (j * BL_WALL_PIXELS + column)], 0);
         double k = nearbyint(sight.at[1] / row_height) + BL_WALL_JOINTS / 2;
         if (k >= 0 && k < BL_WALL_JOINTS) // the joint that the pixel stands nearest to
             width[(size_t)k] += (luminance - bricks) / (joints - bricks) * pixel / mortar;
     }
-    free(rgb);
-    return status;
 }
 
 double bl_wall_spread(const double width[BL_WALL_JOINTS]) {
@@ -156,9 +125,8 @@ double bl_wall_spread(const double width[BL_WALL_JOINTS]) {
     return sqrt(bl_moments_variance(&moments));
 }
 
-bl_status bl_wall_draw_widths(bl_run *run, const char *what, const double place[BL_WALL_JOINTS],
-                              const bl_wall_row *rows, size_t count, const char *alternative,
-                              bl_message *message) {
+void bl_wall_draw_widths(bl_run *run, const char *what, const double place[BL_WALL_JOINTS],
+                         const bl_wall_row *rows, size_t count, const char *alternative) {
     bl_column columns[1 + BL_WALL_ROWS_MOST] = {{"height_units", place, NULL}};
     bl_series series[BL_WALL_ROWS_MOST];
     for (size_t i = 0; i < count; i++) {
@@ -166,7 +134,7 @@ bl_status bl_wall_draw_widths(bl_run *run, const char *what, const double place[
         series[i] = (bl_series){BL_STROKE_POINTS, rows[i].ink, "widths.csv",  "height_units",
                                 rows[i].column,   NULL,        rows[i].label, 0};
     }
-    bl_status status = bl_run_csv(run, "widths", what, columns, 1 + count, BL_WALL_JOINTS, message);
+    bl_run_csv(run, "widths", what, columns, 1 + count, BL_WALL_JOINTS);
     const bl_limit limits[] = {{0, 1, "the mortar"}};
     const bl_panel panel = {
         .title = "level joints, from the bottom up", .series = series, .series_count = count};
@@ -179,5 +147,5 @@ bl_status bl_wall_draw_widths(bl_run *run, const char *what, const double place[
                           .aspect = 0.4,
                           .limits = limits,
                           .limit_count = 1};
-    return status == BL_OK ? bl_run_plot(run, "widths", &plot, alternative, message) : status;
+    bl_run_plot(run, "widths", &plot, alternative);
 }

@@ -5,30 +5,28 @@
 #ifndef BL_REPORTS_FIGURES_BRICK_WALL_H
 #define BL_REPORTS_FIGURES_BRICK_WALL_H
 
-#include "aliasing/alias.h"
-#include "reports/run.h"
+#include "reports/measure.h"
 
 enum { BL_WALL_PIXELS = 128, BL_WALL_JOINTS = 20 };
 
 typedef struct bl_wall {
-    bl_signal *brick;
-    bl_view flat, perspective;
+    const bl_signal *brick;
+    const bl_view *flat, *perspective;
 } bl_wall;
 
-// On success the caller ends with bl_wall_close. Notes the signal and the views as settings.
-bl_status bl_wall_open(bl_run *run, bl_wall *wall, bl_message *message);
-void bl_wall_close(bl_wall *wall);
+// Notes the signal and the views as settings.
+bl_wall bl_wall_open(bl_run *run);
 
 // Writes NAME-flat and NAME-plane, enlarged four times, as the method gives them, and the plot NAME
 // of both.
-bl_status bl_wall_draw(bl_run *run, const bl_wall *wall, const char *method, const char *name,
-                       const char *title, const char *alternative, bl_message *message);
+void bl_wall_draw(bl_run *run, const bl_wall *wall, const char *method, const char *name,
+                  const char *title, const char *alternative);
 
 // The widths of BL_WALL_JOINTS level joints of the flat wall from its middle upwards, in
 // thicknesses of the mortar: the share of mortar in the pixels about each, summed along a column
 // that runs through bricks alone. `place` is the height of the joint, units.
-bl_status bl_wall_widths(const bl_wall *wall, const char *method, double place[BL_WALL_JOINTS],
-                         double width[BL_WALL_JOINTS], bl_message *message);
+void bl_wall_widths(bl_run *run, const bl_wall *wall, const char *method,
+                    double place[BL_WALL_JOINTS], double width[BL_WALL_JOINTS]);
 
 // One of the ways that a plot of these widths shows.
 typedef struct bl_wall_row {
@@ -41,9 +39,8 @@ enum { BL_WALL_ROWS_MOST = 4 };
 
 // Writes widths.csv, which `what` describes, and the plot "widths" of at most BL_WALL_ROWS_MOST
 // rows.
-bl_status bl_wall_draw_widths(bl_run *run, const char *what, const double place[BL_WALL_JOINTS],
-                              const bl_wall_row *rows, size_t count, const char *alternative,
-                              bl_message *message);
+void bl_wall_draw_widths(bl_run *run, const char *what, const double place[BL_WALL_JOINTS],
+                         const bl_wall_row *rows, size_t count, const char *alternative);
 
 // The standard deviation of the widths.
 double bl_wall_spread(const double width[BL_WALL_JOINTS]);

@@ -27,12 +27,10 @@ static const char *const labels[SUMS * WAYS] = {"sine waves",          "sine wav
 static const char *const ways[WAYS] = {"not clamped", "hard cutoff", "faded"};
 
 static bl_psd_settings settings_of(const bl_run *run) {
-    bl_psd_settings s = bl_psd_default_settings(1);
+    bl_psd_settings s = bl_run_psd_settings(run, 1);
     s.rate = 256;
     s.size = 8192;
     s.averages = (size_t)bl_run_pick(run, 64, 512, 8192);
-    s.seed = bl_run_settings(run)->seed;
-    s.threads = bl_run_settings(run)->threads;
     return s;
 }
 
@@ -41,12 +39,10 @@ static bl_psd_settings settings_of(const bl_run *run) {
 // The power in a band, in units of the variance of the sum that is not clamped.
 static bl_estimate power_of(const bl_gallery_spectra *spectra, int sum, int way, double from,
                             double to) {
-    const bl_psd *psd = &spectra->psd[WAYS * sum + way], *plain = &spectra->psd[WAYS * sum];
-    bl_band band = {.from = from, .to = to};
-    bl_psd_band(psd, &band);
+    const bl_psd *psd = spectra->psd[WAYS * sum + way], *plain = spectra->psd[WAYS * sum];
+    const bl_estimate share = bl_psd_share(psd, from, to);
     double scale = psd->variance.value / plain->variance.value;
-    return (bl_estimate){band.fraction.value * scale, band.fraction.lower * scale,
-                         band.fraction.upper * scale, band.fraction.level, band.fraction.samples};
+    return bl_scaled(share, scale);
 }
 
 static void claim_leak(bl_run *run, const bl_gallery_spectra *spectra, int way) {
@@ -106,13 +102,10 @@ static double pop_of(const bl_run *run, const bl_signal *signal) {
     return largest;
 }
 
-static bl_status claim_pops(bl_run *run, bl_message *message) {
+static void claim_pops(bl_run *run) {
     static const char *const popping[] = {"sinesum:filter=clamp", "fractalsum:max=64,clamp=hard",
                                           "sinesum:filter=fade", "fractalsum:max=64,clamp=fade"};
-    bl_gallery gallery;
-    bl_status status = bl_gallery_open(run, popping, 4, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = bl_gallery_open(run, popping, 4);
     for (size_t i = 0; i < 4; i++) {
         double pop = pop_of(run, gallery.signal[i]);
         if (i < 2)
@@ -126,22 +119,19 @@ static bl_status claim_pops(bl_run *run, bl_message *message) {
                           "the largest change of the value there.",
                           popping[i], "value", 0, 1e-6, bl_observed(pop, 4096), "places");
     }
-    bl_gallery_close(&gallery);
-    return BL_OK;
 }
 
 // --- the figure ---------------------------------------------------------------------------------
 
-static bl_status draw(bl_run *run, const bl_gallery *gallery, bl_gallery_spectra *spectra,
-                      bl_message *message) {
+static bl_gallery_spectra draw(bl_run *run, const bl_gallery *gallery) {
     bl_psd_settings settings = settings_of(run);
     bl_run_setting(run, "clamping",
                    "to samples " WIDTH " apart, whose Nyquist frequency is 6.25 cycles per unit");
     bl_run_setting(run, "spectra along a line at a random place",
                    bl_run_text(run, "%zu averages of %zu samples, %g a unit", settings.averages,
                                settings.size, settings.rate));
-    bl_status status =
-        bl_gallery_measure_spectra(run, gallery, &settings, "along a line", spectra, message);
+    const bl_gallery_spectra spectra =
+        bl_gallery_measure_spectra(run, gallery, &settings, "along a line");
     const bl_gallery_spectrum_plot plot = {
         .name = "line",
         .title = "What does clamping leave above the Nyquist frequency?",
@@ -158,27 +148,19 @@ static bl_status draw(bl_run *run, const bl_gallery *gallery, bl_gallery_spectra
         .limit = NYQUIST,
         .limit_label = "Nyquist of width " WIDTH,
         .x_label = "frequency, cycles per unit"};
-    if (status == BL_OK)
-        status = bl_gallery_draw_spectra(run, gallery, spectra, &plot, message);
-    return status;
+    bl_gallery_draw_spectra(run, gallery, &spectra, &plot);
+    return spectra;
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    bl_gallery gallery;
-    bl_gallery_spectra spectra = {0};
-    bl_status status = bl_gallery_open(run, texts, SUMS * WAYS, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    bl_gallery labelled = gallery;
-    labelled.label = labels;
-    status = draw(run, &labelled, &spectra, message);
-    for (int way = HARD; way < WAYS && status == BL_OK; way++) {
+static void run_figure(bl_run *run) {
+    bl_gallery gallery = bl_gallery_open(run, texts, SUMS * WAYS);
+    gallery.label = labels;
+    const bl_gallery_spectra spectra = draw(run, &gallery);
+    for (int way = HARD; way < WAYS; way++) {
         claim_leak(run, &spectra, way);
         claim_loss(run, &spectra, way);
     }
-    bl_gallery_free_spectra(&spectra);
-    bl_gallery_close(&gallery);
-    return status == BL_OK ? claim_pops(run, message) : status;
+    claim_pops(run);
 }
 
 BL_FIGURE_DESCRIPTOR(clamping_leak) = {

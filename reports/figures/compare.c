@@ -5,13 +5,12 @@
 #include "reports/compare.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "reports/figures/gallery.h"
 
-static bl_status open_gallery(bl_run *run, bl_gallery *gallery, bl_message *message) {
+static bl_gallery open_gallery(bl_run *run) {
     const bl_reproduce_settings *settings = bl_run_settings(run);
-    return bl_gallery_open(run, settings->signals, settings->signal_count, gallery, message);
+    return bl_gallery_open(run, settings->signals, settings->signal_count);
 }
 
 // The length that is drawn: 20 units, or the whole of the smallest signal with a grid.
@@ -38,7 +37,7 @@ static size_t steps_of(const bl_gallery *gallery, double length, size_t wanted) 
 
 // --- along a line -------------------------------------------------------------------------------
 
-static bl_status run_lines(bl_run *run, bl_message *message) {
+static void run_lines(bl_run *run) {
     static const bl_gallery_line lines[] = {
         {"edge", "on a lattice edge, y = z = 0", {0, 0, 0}, BL_INK_FOURTH, BL_STROKE_THIN},
         {"between",
@@ -46,10 +45,7 @@ static bl_status run_lines(bl_run *run, bl_message *message) {
          {0.381966, 0.618034, 0.236068},
          BL_INK_MEASURED,
          BL_STROKE_LINE}};
-    bl_gallery gallery;
-    bl_status status = open_gallery(run, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = open_gallery(run);
     double length = length_of(&gallery, 20);
     const bl_gallery_graphs graphs = {
         .title = "What do the signals look like along a line?",
@@ -64,9 +60,7 @@ static bl_status run_lines(bl_run *run, bl_message *message) {
         .x_label = "x, units",
         .columns = gallery.count > 1 ? 2 : 1,
         .aspect = 0.42};
-    status = bl_gallery_draw_graphs(run, &gallery, &graphs, message);
-    bl_gallery_close(&gallery);
-    return status;
+    bl_gallery_draw_graphs(run, &gallery, &graphs);
 }
 
 static const bl_figure lines_figure = {
@@ -82,11 +76,8 @@ static const bl_figure lines_figure = {
 
 // --- in a slice ---------------------------------------------------------------------------------
 
-static bl_status run_slices(bl_run *run, bl_message *message) {
-    bl_gallery gallery;
-    bl_status status = open_gallery(run, &gallery, message);
-    if (status != BL_OK)
-        return status;
+static void run_slices(bl_run *run) {
+    const bl_gallery gallery = open_gallery(run);
     double length = length_of(&gallery, 16);
     bl_gallery_slices slices = {
         .name = "between",
@@ -98,14 +89,11 @@ static bl_status run_slices(bl_run *run, bl_message *message) {
         .length = length,
         .pixels = steps_of(&gallery, length, 256),
         .unit = "units"};
-    status = bl_gallery_draw_slices(run, &gallery, &slices, message);
+    bl_gallery_draw_slices(run, &gallery, &slices);
     slices.name = "plane";
     slices.title = "What do the signals look like on a lattice plane?";
     slices.origin[2] = slices.origin[3] = 0;
-    if (status == BL_OK)
-        status = bl_gallery_draw_slices(run, &gallery, &slices, message);
-    bl_gallery_close(&gallery);
-    return status;
+    bl_gallery_draw_slices(run, &gallery, &slices);
 }
 
 static const bl_figure slices_figure = {
@@ -121,8 +109,8 @@ static const bl_figure slices_figure = {
 
 // --- the power spectrum -------------------------------------------------------------------------
 
-static bl_status write_shares(bl_run *run, const bl_gallery *gallery,
-                              const bl_gallery_spectra *spectra, bl_message *message) {
+static void write_shares(bl_run *run, const bl_gallery *gallery,
+                         const bl_gallery_spectra *spectra) {
     static const struct {
         const char *name, *lower, *upper;
         double from, to;
@@ -131,36 +119,31 @@ static bl_status write_shares(bl_run *run, const bl_gallery *gallery,
                  {"in_0.7_1", "in_0.7_1_lower", "in_0.7_1_upper", 0.7, 1},
                  {"above_1", "above_1_lower", "above_1_upper", 1, INFINITY}};
     enum { BANDS = sizeof bands / sizeof *bands };
-    double *table = calloc(3 * BANDS * gallery->count, sizeof *table);
-    if (!table)
-        return bl_report(message, BL_DEVICE, "out of memory");
+    double *table = bl_run_memory(run, 3 * BANDS * gallery->count, sizeof *table);
     bl_column columns[1 + 3 * BANDS] = {{.name = "signal", .words = gallery->label}};
     for (size_t b = 0; b < BANDS; b++) {
         double *rows = table + 3 * b * gallery->count;
         for (size_t i = 0; i < gallery->count; i++) {
-            bl_band band = {.from = bands[b].from, .to = bands[b].to, .fraction = {.value = NAN}};
-            if (spectra->measured[i])
-                bl_psd_band(&spectra->psd[i], &band);
-            rows[i] = band.fraction.value;
-            rows[gallery->count + i] = spectra->measured[i] ? band.fraction.lower : NAN;
-            rows[2 * gallery->count + i] = spectra->measured[i] ? band.fraction.upper : NAN;
+            bl_estimate share = {NAN, NAN, NAN, NAN, 0};
+            if (spectra->psd[i])
+                share = bl_psd_share(spectra->psd[i], bands[b].from, bands[b].to);
+            rows[i] = share.value;
+            rows[gallery->count + i] = share.lower;
+            rows[2 * gallery->count + i] = share.upper;
         }
         columns[3 * b + 1] = (bl_column){bands[b].name, rows, NULL};
         columns[3 * b + 2] = (bl_column){bands[b].lower, rows + gallery->count, NULL};
         columns[3 * b + 3] = (bl_column){bands[b].upper, rows + 2 * gallery->count, NULL};
     }
-    bl_status status = bl_run_csv(run, "shares", "shares of the variance along a line, by band",
-                                  columns, 1 + 3 * BANDS, gallery->count, message);
-    free(table);
-    return status;
+    bl_run_csv(run, "shares", "shares of the variance along a line, by band", columns,
+               1 + 3 * BANDS, gallery->count);
 }
 
-static bl_status run_line_spectra(bl_run *run, const bl_gallery *gallery, bl_message *message) {
-    bl_psd_settings settings = bl_psd_default_settings(1);
+static void run_line_spectra(bl_run *run, const bl_gallery *gallery) {
+    bl_psd_settings settings = bl_run_psd_settings(run, 1);
     settings.averages = (size_t)bl_run_pick(run, 192, 1024, 16384);
-    bl_gallery_spectra spectra;
-    bl_status status =
-        bl_gallery_measure_spectra(run, gallery, &settings, "along a line", &spectra, message);
+    const bl_gallery_spectra spectra =
+        bl_gallery_measure_spectra(run, gallery, &settings, "along a line");
     const bl_gallery_spectrum_plot plot = {
         .name = "line",
         .title = "Where in frequency does the power lie, along a line?",
@@ -173,21 +156,16 @@ static bl_status run_line_spectra(bl_run *run, const bl_gallery *gallery, bl_mes
         .tick = 0.5,
         .tick_db = 20,
         .x_label = "frequency, cycles per unit"};
-    if (status == BL_OK)
-        status = bl_gallery_draw_spectra(run, gallery, &spectra, &plot, message);
-    if (status == BL_OK)
-        status = write_shares(run, gallery, &spectra, message);
-    bl_gallery_free_spectra(&spectra);
-    return status;
+    bl_gallery_draw_spectra(run, gallery, &spectra, &plot);
+    write_shares(run, gallery, &spectra);
 }
 
-static bl_status run_slice_spectra(bl_run *run, const bl_gallery *gallery, bl_message *message) {
-    bl_psd_settings settings = bl_psd_default_settings(2);
+static void run_slice_spectra(bl_run *run, const bl_gallery *gallery) {
+    bl_psd_settings settings = bl_run_psd_settings(run, 2);
     settings.size = (size_t)bl_run_pick(run, 128, 256, 512);
     settings.averages = (size_t)bl_run_pick(run, 8, 64, 512);
-    bl_gallery_spectra spectra;
-    bl_status status =
-        bl_gallery_measure_spectra(run, gallery, &settings, "in a slice", &spectra, message);
+    const bl_gallery_spectra spectra =
+        bl_gallery_measure_spectra(run, gallery, &settings, "in a slice");
     bl_gallery_spectrum_plot plot = {
         .name = "slice",
         .title = "Where in frequency does the power lie, in a slice, by radius?",
@@ -198,8 +176,7 @@ static bl_status run_slice_spectra(bl_run *run, const bl_gallery *gallery, bl_me
         .tick = 0.5,
         .tick_db = 20,
         .x_label = "radial frequency, cycles per unit"};
-    if (status == BL_OK)
-        status = bl_gallery_draw_spectra(run, gallery, &spectra, &plot, message);
+    bl_gallery_draw_spectra(run, gallery, &spectra, &plot);
     plot.title = "How much does the spectrum of a slice prefer directions?";
     plot.alternative =
         "The anisotropy of the rings of the slice spectrum, one panel a signal; the "
@@ -207,22 +184,13 @@ static bl_status run_slice_spectra(bl_run *run, const bl_gallery *gallery, bl_me
     plot.lowest_db = -25;
     plot.highest_db = 20;
     plot.tick_db = 5;
-    if (status == BL_OK)
-        status = bl_gallery_draw_anisotropy(run, gallery, &spectra, &plot, message);
-    bl_gallery_free_spectra(&spectra);
-    return status;
+    bl_gallery_draw_anisotropy(run, gallery, &spectra, &plot);
 }
 
-static bl_status run_spectra(bl_run *run, bl_message *message) {
-    bl_gallery gallery;
-    bl_status status = open_gallery(run, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    status = run_line_spectra(run, &gallery, message);
-    if (status == BL_OK)
-        status = run_slice_spectra(run, &gallery, message);
-    bl_gallery_close(&gallery);
-    return status;
+static void run_spectra(bl_run *run) {
+    const bl_gallery gallery = open_gallery(run);
+    run_line_spectra(run, &gallery);
+    run_slice_spectra(run, &gallery);
 }
 
 static const bl_figure spectra_figure = {
@@ -239,19 +207,13 @@ static const bl_figure spectra_figure = {
 
 // --- the histogram ------------------------------------------------------------------------------
 
-static bl_status run_histograms(bl_run *run, bl_message *message) {
-    bl_gallery gallery;
-    bl_status status = open_gallery(run, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_gallery_draw_histograms(
+static void run_histograms(bl_run *run) {
+    const bl_gallery gallery = open_gallery(run);
+    bl_gallery_draw_histograms(
         run, &gallery, (size_t)bl_run_pick(run, 1 << 16, 1 << 20, 1 << 24),
         "How are the values of the signals distributed?",
         "Densities of the values, one panel a signal, in standard deviations from the mean, over "
-        "the normal density.",
-        message);
-    bl_gallery_close(&gallery);
-    return status;
+        "the normal density.");
 }
 
 static const bl_figure histograms_figure = {

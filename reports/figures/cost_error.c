@@ -11,6 +11,7 @@
 #include "filters/primitive.h"
 #include "noises/noise.h"
 #include "reports/figures/estimates.h"
+#include "reports/measure.h"
 #include "reports/trade_files.h"
 
 enum { MOST = 16 };
@@ -123,20 +124,8 @@ static const choice choices[] = {
 
 // --- the figure ---------------------------------------------------------------------------------
 
-static bl_status open_subject(const char *text, bl_signal **signal, bl_message *message) {
-    bl_spec spec;
-    const bl_definition *definition = bl_noise_find(text, BL_ISA_BEST);
-    bl_status status = bl_spec_parse(text, &spec, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_definition_open(definition ? definition : bl_primitive_find(text), &spec, text,
-                                signal, message);
-    bl_spec_free(&spec);
-    return status;
-}
-
-static bl_status write_table(bl_run *run, const char *name, const bl_alternatives *all,
-                             const size_t *order, size_t count, bl_message *message) {
+static void write_table(bl_run *run, const char *name, const bl_alternatives *all,
+                        const size_t *order, size_t count) {
     const char *words[MOST];
     double columns[8][MOST];
     for (size_t i = 0; i < count; i++) {
@@ -157,55 +146,52 @@ static bl_status write_table(bl_run *run, const char *name, const bl_alternative
                                {.name = "ns_per_sample_lower", .values = columns[5]},
                                {.name = "ns_per_sample_upper", .values = columns[6]},
                                {.name = "log10_error", .values = columns[7]}};
-    return bl_run_csv(run, name, "cost against error of the alternatives", table, 9, count,
-                      message);
+    bl_run_csv(run, name, "cost against error of the alternatives", table, 9, count);
 }
 
-static bl_status draw(bl_run *run, const choice *made, const bl_trade *trade,
-                      const bl_alternatives *all, bl_message *message) {
+static void draw(bl_run *run, const choice *made, const bl_trade *trade,
+                 const bl_alternatives *all) {
     size_t every[MOST], front[MOST], count = all->count < MOST ? all->count : MOST;
     bl_trade_plot plot;
     char name[96];
     for (size_t i = 0; i < count; i++)
         every[i] = i;
     snprintf(name, sizeof name, "%s-front", trade->name);
-    bl_status status = write_table(run, trade->name, all, every, count, message);
-    if (status == BL_OK)
-        status = write_table(run, name, all, front, bl_trade_front(all, front), message);
+    write_table(run, trade->name, all, every, count);
+    write_table(run, name, all, front, bl_trade_front(all, front));
     bl_trade_plot_describe(trade, all, trade->name, &plot);
-    return status == BL_OK ? bl_run_plot(run, trade->name, &plot.plot, made->alternative, message)
-                           : status;
+    bl_run_plot(run, trade->name, &plot.plot, made->alternative);
 }
 
-static bl_status run_choice(bl_run *run, const choice *made, bl_message *message) {
-    const bl_trade *trade = bl_trade_find(made->trade);
+typedef struct opened {
+    const bl_trade *trade;
+    bl_alternatives all;
+} opened;
+
+static void release(void *thing) {
+    opened *o = thing;
+    bl_trade_close(o->trade, &o->all);
+}
+
+static void run_choice(bl_run *run, const choice *made) {
     const bl_trade_settings settings = {.seed = bl_run_settings(run)->seed,
                                         .threads = bl_run_settings(run)->threads,
                                         .size = (int)bl_run_pick(run, 0, 1, 2)};
-    bl_signal *subject;
-    bl_alternatives all;
-    bl_status status = open_subject(made->subject, &subject, message);
-    if (status != BL_OK)
-        return status;
+    const bl_signal *subject = bl_run_signal(run, made->subject);
+    opened *o = bl_run_memory(run, 1, sizeof *o);
+    o->trade = bl_trade_find(made->trade);
     bl_run_setting(run, made->trade, subject->text);
-    status = bl_trade_run(trade, subject, &settings, &all, message);
-    bl_signal_free(subject);
-    if (status != BL_OK)
-        return status;
-    status = draw(run, made, trade, &all, message);
-    if (status == BL_OK)
-        made->claim(run, &all);
-    bl_trade_close(trade, &all);
-    return status;
+    bl_run_must(run, bl_trade_run(o->trade, subject, &settings, &o->all, bl_run_message(run)));
+    bl_run_keep(run, o, release);
+    draw(run, made, o->trade, &o->all);
+    made->claim(run, &o->all);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    bl_status status = BL_OK;
-    for (size_t i = 0; i < sizeof choices / sizeof *choices && status == BL_OK; i++) {
+static void run_figure(bl_run *run) {
+    for (size_t i = 0; i < sizeof choices / sizeof *choices; i++) {
         bl_run_step(run, choices[i].trade);
-        status = run_choice(run, &choices[i], message);
+        run_choice(run, &choices[i]);
     }
-    return status;
 }
 
 BL_FIGURE_DESCRIPTOR(cost_error) = {

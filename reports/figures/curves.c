@@ -2,7 +2,6 @@
 #include "reports/figures/curves.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "reports/figures/estimates.h"
 
@@ -32,13 +31,10 @@ void bl_curves_claim(bl_run *run, const char *source, const char *sentence, cons
                   bl_exactly(measured, BL_CURVES_STEPS + 1), "places");
 }
 
-static bl_status write_values(bl_run *run, const bl_curves *curves, const bl_gallery *gallery,
-                              bl_message *message) {
+static void write_values(bl_run *run, const bl_curves *curves, const bl_gallery *gallery) {
     enum { POINTS = BL_CURVES_STEPS + 1 };
-    double *values = malloc((curves->count + 1) * POINTS * sizeof *values), *x = values;
+    double *values = bl_run_memory(run, (curves->count + 1) * POINTS, sizeof *values), *x = values;
     bl_column columns[BL_CURVES_MOST + 1];
-    if (!values)
-        return bl_report(message, BL_DEVICE, "out of memory");
     columns[0] = (bl_column){"x", x, NULL};
     for (size_t i = 0; i < POINTS; i++)
         x[i] = place(curves->x.from, curves->x.to, i);
@@ -48,14 +44,10 @@ static bl_status write_values(bl_run *run, const bl_curves *curves, const bl_gal
             column[i] = bl_curves_at(gallery, n, x[i]);
         columns[n + 1] = (bl_column){gallery->key[n], column, NULL};
     }
-    bl_status status =
-        bl_run_csv(run, "curves", "values along x", columns, curves->count + 1, POINTS, message);
-    free(values);
-    return status;
+    bl_run_csv(run, "curves", "values along x", columns, curves->count + 1, POINTS);
 }
 
-static bl_status draw(bl_run *run, const bl_curves *curves, const bl_gallery *gallery,
-                      bl_message *message) {
+static void draw(bl_run *run, const bl_curves *curves, const bl_gallery *gallery) {
     bl_series series[BL_CURVES_MOST];
     for (size_t n = 0; n < curves->count; n++)
         series[n] = (bl_series){.stroke = curves->curves[n].stroke,
@@ -73,21 +65,15 @@ static bl_status draw(bl_run *run, const bl_curves *curves, const bl_gallery *ga
                           .columns = 1,
                           .limits = curves->limits,
                           .limit_count = curves->limit_count};
-    return bl_run_plot(run, "curves", &plot, curves->alternative, message);
+    bl_run_plot(run, "curves", &plot, curves->alternative);
 }
 
-bl_status bl_curves_draw(bl_run *run, const bl_curves *curves, bl_gallery *gallery,
-                         bl_message *message) {
+bl_gallery bl_curves_draw(bl_run *run, const bl_curves *curves) {
     const char *texts[BL_CURVES_MOST];
     for (size_t n = 0; n < curves->count; n++)
         texts[n] = curves->curves[n].text;
-    bl_status status = bl_gallery_open(run, texts, curves->count, gallery, message);
-    if (status != BL_OK)
-        return status;
-    status = write_values(run, curves, gallery, message);
-    if (status == BL_OK)
-        status = draw(run, curves, gallery, message);
-    if (status != BL_OK)
-        bl_gallery_close(gallery);
-    return status;
+    const bl_gallery gallery = bl_gallery_open(run, texts, curves->count);
+    write_values(run, curves, &gallery);
+    draw(run, curves, &gallery);
+    return gallery;
 }

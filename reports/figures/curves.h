@@ -25,9 +25,8 @@ typedef struct bl_curves {
 enum { BL_CURVES_MOST = 8, BL_CURVES_STEPS = 1200 };
 
 // Opens the signals, writes curves.csv, with the values in double at 1201 places of the x axis, and
-// the plot "curves". On success the caller ends with bl_gallery_close.
-bl_status bl_curves_draw(bl_run *run, const bl_curves *curves, bl_gallery *gallery,
-                         bl_message *message);
+// the plot "curves".
+bl_gallery bl_curves_draw(bl_run *run, const bl_curves *curves);
 
 // The value of signal `index` at x.
 double bl_curves_at(const bl_gallery *gallery, size_t index, double x);

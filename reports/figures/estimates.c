@@ -26,6 +26,10 @@ bl_estimate bl_ratio_db(bl_estimate a, bl_estimate b) {
     return (bl_estimate){value, value - below, value + above, a.level, fmin(a.samples, b.samples)};
 }
 
+bl_estimate bl_scaled(bl_estimate e, double factor) {
+    return (bl_estimate){e.value * factor, e.lower * factor, e.upper * factor, e.level, e.samples};
+}
+
 void bl_make_claim(bl_run *run, const char *source, const char *sentence, const char *reading,
                    const char *unit, double lower, double upper, bl_estimate measured,
                    const char *counted) {

@@ -17,6 +17,9 @@ bl_estimate bl_difference(bl_estimate a, bl_estimate b);
 // 10 log10(a / b) of independent positive estimates, to first order; the level is that of a.
 bl_estimate bl_ratio_db(bl_estimate a, bl_estimate b);
 
+// Times a positive factor that is known.
+bl_estimate bl_scaled(bl_estimate estimate, double factor);
+
 // Makes and keeps a claim; the texts are literals or made by bl_run_text. `counted` says
 // what the samples of the estimate are.
 void bl_make_claim(bl_run *run, const char *source, const char *sentence, const char *reading,

@@ -20,7 +20,7 @@ static size_t count_of(void) {
 
 // --- plots --------------------------------------------------------------------------------------
 
-static bl_status draw_steps(bl_run *run, bl_message *message) {
+static void draw_steps(bl_run *run) {
     static double x[PLACES], step[FILTERS_MOST][PLACES], kernel[FILTERS_MOST][PLACES];
     bl_column columns[1 + 2 * FILTERS_MOST] = {{"distance_widths", x, NULL}};
     bl_series series[FILTERS_MOST][2];
@@ -48,8 +48,7 @@ static bl_status draw_steps(bl_run *run, bl_message *message) {
                                        0};
         panels[f] = (bl_panel){filter->name, series[f], 2, NULL};
     }
-    bl_status status = bl_run_csv(run, "steps", "filtered steps and their kernels", columns,
-                                  1 + 2 * count, PLACES, message);
+    bl_run_csv(run, "steps", "filtered steps and their kernels", columns, 1 + 2 * count, PLACES);
     const bl_plot plot = {
         .title = "What does each filter make of a step?",
         .x = {.label = "distance from the edge, widths", .from = -reach, .to = reach, .tick = 2},
@@ -58,17 +57,14 @@ static bl_status draw_steps(bl_run *run, bl_message *message) {
         .panel_count = count,
         .columns = 4,
         .aspect = 0.8};
-    return status == BL_OK
-               ? bl_run_plot(run, "steps", &plot,
-                             "A panel for each filter: its kernel and the step that it makes. "
-                             "Those of box, tent, parabola and Gaussian rise all the way; "
-                             "Catmull-Rom, Mitchell, Lanczos and sinc dip below 0 and rise above "
-                             "1, sinc again and again.",
-                             message)
-               : status;
+    bl_run_plot(run, "steps", &plot,
+                "A panel for each filter: its kernel and the step that it makes. "
+                "Those of box, tent, parabola and Gaussian rise all the way; "
+                "Catmull-Rom, Mitchell, Lanczos and sinc dip below 0 and rise above "
+                "1, sinc again and again.");
 }
 
-static bl_status draw_responses(bl_run *run, bl_message *message) {
+static void draw_responses(bl_run *run) {
     static double frequency[FREQUENCIES], response[FILTERS_MOST][FREQUENCIES];
     bl_column columns[1 + FILTERS_MOST] = {{"frequency_cycles_per_width", frequency, NULL}};
     bl_series series[FILTERS_MOST];
@@ -87,9 +83,8 @@ static bl_status draw_responses(bl_run *run, bl_message *message) {
                                 "response",          0};
         panels[f] = (bl_panel){filter->name, &series[f], 1, NULL};
     }
-    bl_status status =
-        bl_run_csv(run, "responses", "responses in dB of that at 0, cut off below -100 dB", columns,
-                   1 + count, FREQUENCIES, message);
+    bl_run_csv(run, "responses", "responses in dB of that at 0, cut off below -100 dB", columns,
+               1 + count, FREQUENCIES);
     const bl_limit limits[] = {{1, 0.5, "Nyquist"}};
     const bl_plot plot = {
         .title = "What does each filter pass of each frequency?",
@@ -101,18 +96,15 @@ static bl_status draw_responses(bl_run *run, bl_message *message) {
         .aspect = 0.8,
         .limits = limits,
         .limit_count = 1};
-    return status == BL_OK
-               ? bl_run_plot(run, "responses", &plot,
-                             "A panel for each filter: the response in decibels over the "
-                             "frequency. The side lobes of the box fall slowest; the Gaussian has "
-                             "none; sinc ends at the Nyquist frequency.",
-                             message)
-               : status;
+    bl_run_plot(run, "responses", &plot,
+                "A panel for each filter: the response in decibels over the "
+                "frequency. The side lobes of the box fall slowest; the Gaussian has "
+                "none; sinc ends at the Nyquist frequency.");
 }
 
 // --- numbers ------------------------------------------------------------------------------------
 
-static bl_status write_numbers(bl_run *run, const bl_filter_numbers *numbers, bl_message *message) {
+static void write_numbers(bl_run *run, const bl_filter_numbers *numbers) {
     double values[9][FILTERS_MOST];
     const char *words[FILTERS_MOST];
     size_t count = count_of();
@@ -143,8 +135,7 @@ static bl_status write_numbers(bl_run *run, const bl_filter_numbers *numbers, bl
     bl_column columns[10] = {{"filter", NULL, words}};
     for (int k = 0; k < 9; k++)
         columns[1 + k] = (bl_column){names[k], values[k], NULL};
-    return bl_run_csv(run, "numbers", "responses and steps in numbers", columns, 10, count,
-                      message);
+    bl_run_csv(run, "numbers", "responses and steps in numbers", columns, 10, count);
 }
 
 // How far a filter is from the ideal one on the spectrum 1/f^2 of a step, in widths: int over all f
@@ -237,7 +228,7 @@ static void claim_integrals(bl_run *run) {
                   "places");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     bl_filter_numbers numbers[FILTERS_MOST], *box = NULL, *parabola = NULL;
     for (size_t f = 0; f < count_of(); f++) {
         numbers[f] = bl_filter_measure(bl_filter_at(f));
@@ -247,18 +238,13 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
             parabola = &numbers[f];
     }
     bl_run_setting(run, "filters", bl_run_text(run, "all %zu of the registry", count_of()));
-    bl_status status = draw_steps(run, message);
-    if (status == BL_OK)
-        status = draw_responses(run, message);
-    if (status == BL_OK)
-        status = write_numbers(run, numbers, message);
-    if (status == BL_OK && box && parabola)
+    draw_steps(run);
+    draw_responses(run);
+    write_numbers(run, numbers);
+    if (box && parabola)
         claim_ideal(run, box, parabola);
-    if (status == BL_OK) {
-        claim_lobes(run, numbers);
-        claim_integrals(run);
-    }
-    return status;
+    claim_lobes(run, numbers);
+    claim_integrals(run);
 }
 
 static const bl_term terms[] = {

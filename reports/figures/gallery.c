@@ -2,11 +2,7 @@
 #include "reports/figures/gallery.h"
 
 #include <ctype.h>
-#include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
-
-#include "sources/source.h"
 
 enum { LONGEST_LABEL = 44, LONGEST_KEY = 40 };
 
@@ -44,55 +40,20 @@ static const char *key_of(bl_run *run, const bl_gallery *gallery, size_t index, 
                  : bl_run_text(run, "%s", key);
 }
 
-static bl_status open_one(bl_run *run, const char *text, bl_signal **signal, bl_message *message) {
-    const bl_reproduce_settings *settings = bl_run_settings(run);
-    bl_status status = bl_source_open(text, settings->isa, signal, message);
-    if (status != BL_OK || (*signal)->seed_offset == SIZE_MAX || strstr(text, "seed="))
-        return status;
-    bl_signal *seeded = NULL;
-    if (bl_source_is_file(text)) { // a program has its seed elsewhere
-        status = bl_source_open_seeded(text, settings->seed, settings->isa, &seeded, message);
-    } else {
-        const char *with_seed =
-            bl_run_text(run, "%s%cseed=%llu", text, strchr(text, ':') ? ',' : ':',
-                        (unsigned long long)settings->seed);
-        status = bl_source_open(with_seed, settings->isa, &seeded, message);
-    }
-    bl_signal_free(*signal);
-    *signal = seeded; // NULL if that failed
-    return status;
-}
-
-bl_status bl_gallery_open(bl_run *run, const char *const *texts, size_t count, bl_gallery *gallery,
-                          bl_message *message) {
-    const char **labels = calloc(count, sizeof *labels), **keys = calloc(count, sizeof *keys);
-    *gallery = (bl_gallery){
-        .signal = calloc(count, sizeof *gallery->signal), .label = labels, .key = keys};
-    bl_status status =
-        gallery->signal && labels && keys ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
-    for (size_t i = 0; i < count && status == BL_OK; i++) {
-        status = open_one(run, texts[i], &gallery->signal[i], message);
-        if (status != BL_OK)
-            break;
-        const char *text = gallery->signal[i]->text;
-        labels[i] = label_of(run, text);
-        keys[i] = key_of(run, gallery, i, labels[i]);
-        gallery->count++;
+bl_gallery bl_gallery_open(bl_run *run, const char *const *texts, size_t count) {
+    const char **labels = bl_run_memory(run, count, sizeof *labels);
+    const char **keys = bl_run_memory(run, count, sizeof *keys);
+    bl_signal **signals = bl_run_memory(run, count, sizeof *signals);
+    bl_gallery gallery = {.signal = signals, .label = labels, .key = keys};
+    for (size_t i = 0; i < count; i++) {
+        signals[i] = bl_run_seeded_signal(run, texts[i]);
+        labels[i] = label_of(run, signals[i]->text);
+        keys[i] = key_of(run, &gallery, i, labels[i]);
+        gallery.count++;
         bl_run_setting(run, bl_run_text(run, "signal (%c%.0zu)", (int)('a' + i % 26), i / 26),
-                       text);
+                       signals[i]->text);
     }
-    if (status != BL_OK)
-        bl_gallery_close(gallery);
-    return status;
-}
-
-void bl_gallery_close(bl_gallery *gallery) {
-    for (size_t i = 0; i < gallery->count; i++)
-        bl_signal_free(gallery->signal[i]);
-    free(gallery->signal);
-    free((void *)gallery->label);
-    free((void *)gallery->key);
-    *gallery = (bl_gallery){0};
+    return gallery;
 }
 
 size_t bl_gallery_columns(size_t count) {

@@ -7,9 +7,7 @@
 #ifndef BL_REPORTS_FIGURES_GALLERY_H
 #define BL_REPORTS_FIGURES_GALLERY_H
 
-#include "core/signal.h"
-#include "reports/run.h"
-#include "spectra/psd.h"
+#include "reports/measure.h"
 
 typedef struct bl_gallery {
     size_t count;
@@ -19,11 +17,9 @@ typedef struct bl_gallery {
 } bl_gallery;
 
 // Opens the signals (noises, files, programs) with the seed of the run, where a signal has one and
-// its text names none, and notes their texts as settings "signal (a)", "signal (b)", ... Labels and
-// keys live as long as the run. On success the caller ends with bl_gallery_close.
-bl_status bl_gallery_open(bl_run *run, const char *const *texts, size_t count, bl_gallery *gallery,
-                          bl_message *message);
-void bl_gallery_close(bl_gallery *gallery);
+// its text names none, and notes their texts as settings "signal (a)", "signal (b)", ... The run
+// owns it all.
+bl_gallery bl_gallery_open(bl_run *run, const char *const *texts, size_t count);
 
 // The columns of panels that `count` panels are laid out in.
 size_t bl_gallery_columns(size_t count);
@@ -52,8 +48,8 @@ typedef struct bl_gallery_graphs {
 } bl_gallery_graphs;
 
 // Writes graphs.csv and the plot "graphs". A signal with a grid is drawn over its own first row.
-bl_status bl_gallery_draw_graphs(bl_run *run, const bl_gallery *gallery,
-                                 const bl_gallery_graphs *graphs, bl_message *message);
+void bl_gallery_draw_graphs(bl_run *run, const bl_gallery *gallery,
+                            const bl_gallery_graphs *graphs);
 
 // --- curves -------------------------------------------------------------------------------------
 
@@ -73,8 +69,8 @@ typedef struct bl_gallery_curves {
 } bl_gallery_curves;
 
 // Writes NAME.csv and the plot NAME.
-bl_status bl_gallery_draw_curves(bl_run *run, const bl_gallery *gallery,
-                                 const bl_gallery_curves *curves, bl_message *message);
+void bl_gallery_draw_curves(bl_run *run, const bl_gallery *gallery,
+                            const bl_gallery_curves *curves);
 
 // --- slices -------------------------------------------------------------------------------------
 
@@ -91,25 +87,21 @@ typedef struct bl_gallery_slices {
     const char *unit;       // of the axes: "lattice cells"
 } bl_gallery_slices;
 
-bl_status bl_gallery_draw_slices(bl_run *run, const bl_gallery *gallery,
-                                 const bl_gallery_slices *slices, bl_message *message);
+void bl_gallery_draw_slices(bl_run *run, const bl_gallery *gallery,
+                            const bl_gallery_slices *slices);
 
 // --- spectra ------------------------------------------------------------------------------------
 
-// One spectrum a signal. Those that could not be measured have `measured` 0; the settings of the
-// run say why.
+// One spectrum a signal; NULL for one that could not be measured: the settings of the run say why.
 typedef struct bl_gallery_spectra {
-    bl_psd *psd;
-    int *measured;
+    const bl_psd *const *psd;
     size_t count;
 } bl_gallery_spectra;
 
-// Measures with the settings given, whose seed and threads are those of the run. A signal that does
-// not fit the settings (too few dimensions, a grid too small) is left out.
-bl_status bl_gallery_measure_spectra(bl_run *run, const bl_gallery *gallery,
-                                     const bl_psd_settings *settings, const char *what,
-                                     bl_gallery_spectra *spectra, bl_message *message);
-void bl_gallery_free_spectra(bl_gallery_spectra *spectra);
+// Measures all. A signal that does not fit the settings (too few dimensions, a grid too small) is
+// left out.
+bl_gallery_spectra bl_gallery_measure_spectra(bl_run *run, const bl_gallery *gallery,
+                                              const bl_psd_settings *settings, const char *what);
 
 typedef struct bl_gallery_spectrum_plot {
     const char *name; // of the files: "line" makes spectrum-line-KEY.csv and the plot spectra-line
@@ -125,22 +117,21 @@ typedef struct bl_gallery_spectrum_plot {
 
 // Power by frequency, in dB of the total variance per cycle per unit, with its band and the closed
 // form where there is one. For rings and shells that is the density times measure over width.
-bl_status bl_gallery_draw_spectra(bl_run *run, const bl_gallery *gallery,
-                                  const bl_gallery_spectra *spectra,
-                                  const bl_gallery_spectrum_plot *plot, bl_message *message);
+void bl_gallery_draw_spectra(bl_run *run, const bl_gallery *gallery,
+                             const bl_gallery_spectra *spectra,
+                             const bl_gallery_spectrum_plot *plot);
 
 // The anisotropy of the rings of slices over the level that an isotropic signal reads.
-bl_status bl_gallery_draw_anisotropy(bl_run *run, const bl_gallery *gallery,
-                                     const bl_gallery_spectra *spectra,
-                                     const bl_gallery_spectrum_plot *plot, bl_message *message);
+void bl_gallery_draw_anisotropy(bl_run *run, const bl_gallery *gallery,
+                                const bl_gallery_spectra *spectra,
+                                const bl_gallery_spectrum_plot *plot);
 
 // --- histograms ---------------------------------------------------------------------------------
 
 // Measures and draws the distribution of the values over `samples` places, in standard deviations
 // from the mean, over the normal density; writes histogram-KEY.csv, histograms.csv (moments and
 // range of each) and the plot "histograms".
-bl_status bl_gallery_draw_histograms(bl_run *run, const bl_gallery *gallery, size_t samples,
-                                     const char *title, const char *alternative,
-                                     bl_message *message);
+void bl_gallery_draw_histograms(bl_run *run, const bl_gallery *gallery, size_t samples,
+                                const char *title, const char *alternative);
 
 #endif

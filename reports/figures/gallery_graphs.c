@@ -2,7 +2,6 @@
 //
 // Graphs of the signals of a gallery along lines parallel to the x axis.
 #include <math.h>
-#include <stdlib.h>
 
 #include "reports/figures/gallery.h"
 
@@ -16,13 +15,12 @@ static void draw_line(const bl_signal *signal, const bl_gallery_graphs *graphs,
         out[i] = (double)row[i];
 }
 
-static bl_status plot_graphs(bl_run *run, const bl_gallery *gallery,
-                             const bl_gallery_graphs *graphs, bl_axis y, bl_message *message) {
+static void plot_graphs(bl_run *run, const bl_gallery *gallery, const bl_gallery_graphs *graphs,
+                        bl_axis y) {
     size_t lines = graphs->line_count;
-    bl_series *series = calloc(gallery->count * lines, sizeof *series);
-    bl_panel *panels = calloc(gallery->count, sizeof *panels);
-    bl_status status = series && panels ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
-    for (size_t i = 0; i < gallery->count && status == BL_OK; i++) {
+    bl_series *series = bl_run_memory(run, gallery->count * lines, sizeof *series);
+    bl_panel *panels = bl_run_memory(run, gallery->count, sizeof *panels);
+    for (size_t i = 0; i < gallery->count; i++) {
         for (size_t k = 0; k < lines; k++)
             series[i * lines + k] =
                 (bl_series){.stroke = graphs->lines[k].stroke,
@@ -44,11 +42,7 @@ static bl_status plot_graphs(bl_run *run, const bl_gallery *gallery,
                           .aspect = graphs->aspect,
                           .limits = &zero,
                           .limit_count = 1};
-    if (status == BL_OK)
-        status = bl_run_plot(run, "graphs", &plot, graphs->alternative, message);
-    free(series);
-    free(panels);
-    return status;
+    bl_run_plot(run, "graphs", &plot, graphs->alternative);
 }
 
 // A constant, or nothing finite at all, gets an axis with numbers, too.
@@ -69,33 +63,23 @@ static bl_axis axis_of_values(const bl_axis *wanted, const double *values, size_
     return axis;
 }
 
-bl_status bl_gallery_draw_graphs(bl_run *run, const bl_gallery *gallery,
-                                 const bl_gallery_graphs *graphs, bl_message *message) {
+void bl_gallery_draw_graphs(bl_run *run, const bl_gallery *gallery,
+                            const bl_gallery_graphs *graphs) {
     size_t points = graphs->steps + 1, lines = graphs->line_count * gallery->count;
-    double *values = malloc((lines + 1) * points * sizeof *values), *x = values;
-    float *row = malloc(points * sizeof *row);
-    bl_column *columns = malloc((lines + 1) * sizeof *columns);
-    bl_status status =
-        values && row && columns ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
-    if (status == BL_OK) {
-        for (size_t i = 0; i < points; i++)
-            x[i] = graphs->length * (double)i / (double)graphs->steps;
-        columns[0] = (bl_column){"x", x, NULL};
-        for (size_t n = 0; n < lines; n++) {
-            size_t i = n / graphs->line_count;
-            const bl_gallery_line *line = &graphs->lines[n % graphs->line_count];
-            draw_line(gallery->signal[i], graphs, line, row, x + (n + 1) * points);
-            columns[n + 1] = (bl_column){bl_run_text(run, "%s_%s", gallery->key[i], line->name),
-                                         x + (n + 1) * points, NULL};
-        }
-        status = bl_run_csv(run, "graphs", "values along lines parallel to the x axis", columns,
-                            lines + 1, points, message);
+    double *values = bl_run_memory(run, (lines + 1) * points, sizeof *values), *x = values;
+    float *row = bl_run_memory(run, points, sizeof *row);
+    bl_column *columns = bl_run_memory(run, lines + 1, sizeof *columns);
+    for (size_t i = 0; i < points; i++)
+        x[i] = graphs->length * (double)i / (double)graphs->steps;
+    columns[0] = (bl_column){"x", x, NULL};
+    for (size_t n = 0; n < lines; n++) {
+        size_t i = n / graphs->line_count;
+        const bl_gallery_line *line = &graphs->lines[n % graphs->line_count];
+        draw_line(gallery->signal[i], graphs, line, row, x + (n + 1) * points);
+        columns[n + 1] = (bl_column){bl_run_text(run, "%s_%s", gallery->key[i], line->name),
+                                     x + (n + 1) * points, NULL};
     }
-    if (status == BL_OK)
-        status = plot_graphs(run, gallery, graphs,
-                             axis_of_values(&graphs->y, x + points, lines * points), message);
-    free(values);
-    free(row);
-    free(columns);
-    return status;
+    bl_run_csv(run, "graphs", "values along lines parallel to the x axis", columns, lines + 1,
+               points);
+    plot_graphs(run, gallery, graphs, axis_of_values(&graphs->y, x + points, lines * points));
 }

@@ -2,7 +2,6 @@
 //
 // The distributions of the values of the signals of a gallery.
 #include <math.h>
-#include <stdlib.h>
 
 #include "reports/figures/gallery.h"
 #include "spectra/histogram.h"
@@ -11,8 +10,8 @@ enum { BINS = 96 };
 
 // The densities over the values, and over the values less the mean in standard deviations, in which
 // all signals share one scale. Returns the largest of the latter in *highest.
-static bl_status write_histogram(bl_run *run, const bl_gallery *gallery, size_t index,
-                                 const bl_histogram *h, double *highest, bl_message *message) {
+static void write_histogram(bl_run *run, const bl_gallery *gallery, size_t index,
+                            const bl_histogram *h, double *highest) {
     double centre[BINS], density[BINS], deviations[BINS], standard[BINS], normal[BINS];
     double deviation = sqrt(h->variance.value);
     for (size_t b = 0; b < h->settings.bins; b++) {
@@ -29,10 +28,9 @@ static bl_status write_histogram(bl_run *run, const bl_gallery *gallery, size_t 
                                  {"deviations", deviations, NULL},
                                  {"density_per_deviation", standard, NULL},
                                  {"normal_density_per_deviation", normal, NULL}};
-    return bl_run_csv(
-        run, bl_run_text(run, "histogram-%s", gallery->key[index]),
-        bl_run_text(run, "distribution of the values of %s", gallery->signal[index]->text), columns,
-        5, h->settings.bins, message);
+    bl_run_csv(run, bl_run_text(run, "histogram-%s", gallery->key[index]),
+               bl_run_text(run, "distribution of the values of %s", gallery->signal[index]->text),
+               columns, 5, h->settings.bins);
 }
 
 // The numbers of each histogram, a row a signal.
@@ -73,25 +71,22 @@ static void fill_numbers(const bl_signal *signal, const bl_histogram *h, double 
         table[k * rows + row] = numbers[k];
 }
 
-static bl_status write_table(bl_run *run, const bl_gallery *gallery, const double *table,
-                             bl_message *message) {
+static void write_table(bl_run *run, const bl_gallery *gallery, const double *table) {
     bl_column columns[1 + NUMBERS];
     columns[0] = (bl_column){.name = "signal", .words = gallery->label};
     for (size_t k = 0; k < NUMBERS; k++)
         columns[k + 1] = (bl_column){number_names[k], table + k * gallery->count, NULL};
-    return bl_run_csv(run, "histograms", "moments and range of the values, with the bounds stated",
-                      columns, 1 + NUMBERS, gallery->count, message);
+    bl_run_csv(run, "histograms", "moments and range of the values, with the bounds stated",
+               columns, 1 + NUMBERS, gallery->count);
 }
 
 // Draws those whose values vary.
-static bl_status plot_histograms(bl_run *run, const bl_gallery *gallery, const int *varies,
-                                 const char *title, const char *alternative, double highest,
-                                 bl_message *message) {
+static void plot_histograms(bl_run *run, const bl_gallery *gallery, const int *varies,
+                            const char *title, const char *alternative, double highest) {
     size_t count = 0;
-    bl_series *series = calloc(2 * gallery->count, sizeof *series);
-    bl_panel *panels = calloc(gallery->count, sizeof *panels);
-    bl_status status = series && panels ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
-    for (size_t i = 0; i < gallery->count && status == BL_OK; i++) {
+    bl_series *series = bl_run_memory(run, 2 * gallery->count, sizeof *series);
+    bl_panel *panels = bl_run_memory(run, gallery->count, sizeof *panels);
+    for (size_t i = 0; i < gallery->count; i++) {
         if (!varies[i])
             continue;
         const char *file = bl_run_text(run, "histogram-%s.csv", gallery->key[i]);
@@ -118,46 +113,29 @@ static bl_status plot_histograms(bl_run *run, const bl_gallery *gallery, const i
         .panel_count = count,
         .columns = bl_gallery_columns(count),
         .aspect = 0.7};
-    if (status == BL_OK && count)
-        status = bl_run_plot(run, "histograms", &plot, alternative, message);
-    free(series);
-    free(panels);
-    return status;
+    if (count)
+        bl_run_plot(run, "histograms", &plot, alternative);
 }
 
-bl_status bl_gallery_draw_histograms(bl_run *run, const bl_gallery *gallery, size_t samples,
-                                     const char *title, const char *alternative,
-                                     bl_message *message) {
-    bl_histogram_settings settings = bl_histogram_default_settings();
-    settings.samples = samples;
+void bl_gallery_draw_histograms(bl_run *run, const bl_gallery *gallery, size_t samples,
+                                const char *title, const char *alternative) {
+    bl_histogram_settings settings = bl_run_histogram_settings(run, samples);
     settings.bins = BINS;
-    settings.seed = bl_run_settings(run)->seed;
-    settings.threads = bl_run_settings(run)->threads;
     bl_run_setting(run, "samples of the histograms",
                    bl_run_text(run, "%zu places, %d bins", samples, BINS));
-    double highest = 0, *table = malloc(NUMBERS * gallery->count * sizeof *table);
-    int *varies = calloc(gallery->count, sizeof *varies);
-    bl_status status = table && varies ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
-    for (size_t i = 0; i < gallery->count && status == BL_OK; i++) {
-        bl_histogram histogram;
+    double highest = 0, *table = bl_run_memory(run, NUMBERS * gallery->count, sizeof *table);
+    int *varies = bl_run_memory(run, gallery->count, sizeof *varies);
+    for (size_t i = 0; i < gallery->count; i++) {
         bl_run_step(run, bl_run_text(run, "histogram of %s", gallery->key[i]));
-        status = bl_histogram_measure(gallery->signal[i], &settings, &histogram, message);
-        if (status != BL_OK)
-            break;
-        fill_numbers(gallery->signal[i], &histogram, table, gallery->count, i);
-        varies[i] = histogram.minimum < histogram.maximum;
+        const bl_histogram *h = bl_run_histogram(run, gallery->signal[i], &settings);
+        fill_numbers(gallery->signal[i], h, table, gallery->count, i);
+        varies[i] = h->minimum < h->maximum;
         if (varies[i])
-            status = write_histogram(run, gallery, i, &histogram, &highest, message);
+            write_histogram(run, gallery, i, h, &highest);
         else
             bl_run_setting(run, bl_run_text(run, "no histogram of %s", gallery->label[i]),
-                           bl_run_text(run, "it is constant: %.9g", histogram.minimum));
-        bl_histogram_free(&histogram);
+                           bl_run_text(run, "it is constant: %.9g", h->minimum));
     }
-    if (status == BL_OK)
-        status = write_table(run, gallery, table, message);
-    if (status == BL_OK)
-        status = plot_histograms(run, gallery, varies, title, alternative, highest, message);
-    free(table);
-    free(varies);
-    return status;
+    write_table(run, gallery, table);
+    plot_histograms(run, gallery, varies, title, alternative, highest);
 }

@@ -2,7 +2,6 @@
 //
 // Slices of the signals of a gallery, parallel to the xy plane, on one scale of grey.
 #include <math.h>
-#include <stdlib.h>
 
 #include "core/grid.h"
 #include "core/statistics.h"
@@ -31,9 +30,8 @@ static void span_deviations(const float *values, size_t count, double deviations
     *white = moments.mean + (half > 0 ? half : 1);
 }
 
-static bl_status write_slice(bl_run *run, const bl_gallery *gallery, size_t index,
-                             const bl_gallery_slices *slices, const float *values,
-                             bl_message *message) {
+static void write_slice(bl_run *run, const bl_gallery *gallery, size_t index,
+                        const bl_gallery_slices *slices, const float *values) {
     double black = slices->black, white = slices->white;
     if (slices->deviations > 0)
         span_deviations(values, slices->pixels * slices->pixels, slices->deviations, &black,
@@ -47,15 +45,11 @@ static bl_status write_slice(bl_run *run, const bl_gallery *gallery, size_t inde
                             .white = white,
                             .attributes = &signal,
                             .attribute_count = 1};
-    return bl_run_image(run, bl_run_text(run, "%s-%s", gallery->key[index], slices->name), &image,
-                        message);
+    bl_run_image(run, bl_run_text(run, "%s-%s", gallery->key[index], slices->name), &image);
 }
 
-static bl_status plot_slices(bl_run *run, const bl_gallery *gallery,
-                             const bl_gallery_slices *slices, bl_message *message) {
-    bl_panel *panels = calloc(gallery->count, sizeof *panels);
-    if (!panels)
-        return bl_report(message, BL_DEVICE, "out of memory");
+static void plot_slices(bl_run *run, const bl_gallery *gallery, const bl_gallery_slices *slices) {
+    bl_panel *panels = bl_run_memory(run, gallery->count, sizeof *panels);
     for (size_t i = 0; i < gallery->count; i++) {
         panels[i].title = gallery->label[i];
         panels[i].image = bl_run_text(run, "%s-%s.png", gallery->key[i], slices->name);
@@ -73,10 +67,7 @@ static bl_status plot_slices(bl_run *run, const bl_gallery *gallery,
         .white = slices->white,
         .pixel = slices->length / (double)slices->pixels,
         .scale_label = slices->deviations > 0 ? "deviations" : "value"};
-    bl_status status = bl_run_plot(run, bl_run_text(run, "slices-%s", slices->name), &plot,
-                                   slices->alternative, message);
-    free(panels);
-    return status;
+    bl_run_plot(run, bl_run_text(run, "slices-%s", slices->name), &plot, slices->alternative);
 }
 
 // The finite range of all values, or one that is not empty.
@@ -94,13 +85,11 @@ static void find_range(const float *values, size_t count, double *black, double 
     }
 }
 
-bl_status bl_gallery_draw_slices(bl_run *run, const bl_gallery *gallery,
-                                 const bl_gallery_slices *wanted, bl_message *message) {
+void bl_gallery_draw_slices(bl_run *run, const bl_gallery *gallery,
+                            const bl_gallery_slices *wanted) {
     bl_gallery_slices slices = *wanted;
     size_t pixels = slices.pixels * slices.pixels;
-    float *values = malloc(gallery->count * pixels * sizeof *values);
-    if (!values)
-        return bl_report(message, BL_DEVICE, "out of memory");
+    float *values = bl_run_memory(run, gallery->count * pixels, sizeof *values);
     bl_run_step(run, "slices");
     for (size_t i = 0; i < gallery->count; i++)
         fill_slice(gallery->signal[i], &slices, bl_run_settings(run)->threads, values + i * pixels);
@@ -110,9 +99,7 @@ bl_status bl_gallery_draw_slices(bl_run *run, const bl_gallery *gallery,
     }
     if (slices.black == slices.white)
         find_range(values, gallery->count * pixels, &slices.black, &slices.white);
-    bl_status status = BL_OK;
-    for (size_t i = 0; i < gallery->count && status == BL_OK; i++)
-        status = write_slice(run, gallery, i, &slices, values + i * pixels, message);
-    free(values);
-    return status == BL_OK ? plot_slices(run, gallery, &slices, message) : status;
+    for (size_t i = 0; i < gallery->count; i++)
+        write_slice(run, gallery, i, &slices, values + i * pixels);
+    plot_slices(run, gallery, &slices);
 }

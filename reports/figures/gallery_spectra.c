@@ -2,8 +2,6 @@
 //
 // The spectra of the signals of a gallery: measured, written and drawn, with their closed forms.
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "reports/figures/gallery.h"
 
@@ -14,42 +12,22 @@ static int is_constant(const bl_psd *psd) {
     return !(psd->variance.value > 1e-24 * psd->mean * psd->mean);
 }
 
-bl_status bl_gallery_measure_spectra(bl_run *run, const bl_gallery *gallery,
-                                     const bl_psd_settings *wanted, const char *what,
-                                     bl_gallery_spectra *spectra, bl_message *message) {
-    bl_psd_settings settings = *wanted;
-    settings.seed = bl_run_settings(run)->seed;
-    settings.threads = bl_run_settings(run)->threads;
-    *spectra = (bl_gallery_spectra){.psd = calloc(gallery->count, sizeof *spectra->psd),
-                                    .measured = calloc(gallery->count, sizeof *spectra->measured),
-                                    .count = gallery->count};
-    if (!spectra->psd || !spectra->measured)
-        return bl_report(message, BL_DEVICE, "out of memory");
+bl_gallery_spectra bl_gallery_measure_spectra(bl_run *run, const bl_gallery *gallery,
+                                              const bl_psd_settings *settings, const char *what) {
+    const bl_psd **psd = bl_run_memory(run, gallery->count, sizeof *psd);
     for (size_t i = 0; i < gallery->count; i++) {
         bl_message why = {""};
         bl_run_step(run, bl_run_text(run, "%s %s", gallery->key[i], what));
-        bl_status status = bl_psd_measure(gallery->signal[i], &settings, &spectra->psd[i], &why);
-        if (status == BL_OK && is_constant(&spectra->psd[i])) {
-            bl_psd_free(&spectra->psd[i]);
-            status = bl_report(&why, BL_MISMATCH, "it is constant, and has no power to show");
+        psd[i] = bl_run_fitting_psd(run, gallery->signal[i], settings, &why);
+        if (psd[i] && is_constant(psd[i])) {
+            psd[i] = NULL;
+            bl_report(&why, BL_MISMATCH, "it is constant, and has no power to show");
         }
-        spectra->measured[i] = status == BL_OK;
-        if (status == BL_MISMATCH)
+        if (!psd[i])
             bl_run_setting(run, bl_run_text(run, "no spectrum %s of %s", what, gallery->label[i]),
                            why.text);
-        else if (status != BL_OK)
-            return bl_report(message, status, "%s", why.text);
     }
-    return BL_OK;
-}
-
-void bl_gallery_free_spectra(bl_gallery_spectra *spectra) {
-    for (size_t i = 0; i < spectra->count && spectra->measured; i++)
-        if (spectra->measured[i])
-            bl_psd_free(&spectra->psd[i]);
-    free(spectra->psd);
-    free(spectra->measured);
-    *spectra = (bl_gallery_spectra){0};
+    return (bl_gallery_spectra){psd, gallery->count};
 }
 
 static double db_of(double density, double reference) {
@@ -57,14 +35,12 @@ static double db_of(double density, double reference) {
 }
 
 // One file a signal, because the frequencies of signals with grids differ.
-static bl_status write_spectrum(bl_run *run, const bl_gallery *gallery, size_t index,
-                                const bl_psd *psd, const char *name, bl_message *message) {
+static void write_spectrum(bl_run *run, const bl_gallery *gallery, size_t index, const bl_psd *psd,
+                           const char *name) {
     enum { MEASURED, LOWER, UPPER, THEORY, ANISOTROPY, FLOOR, KINDS };
     static const char *const names[KINDS] = {"power_db",  "lower_db",      "upper_db",
                                              "theory_db", "anisotropy_db", "anisotropy_floor_db"};
-    double *values = malloc(KINDS * psd->count * sizeof *values);
-    if (!values)
-        return bl_report(message, BL_DEVICE, "out of memory");
+    double *values = bl_run_memory(run, KINDS * psd->count, sizeof *values);
     bl_column columns[1 + KINDS] = {{"frequency_cycles_per_unit", psd->frequency, NULL}};
     size_t used = 1;
     for (size_t b = 0; b < psd->count; b++) {
@@ -82,15 +58,12 @@ static bl_status write_spectrum(bl_run *run, const bl_gallery *gallery, size_t i
     for (size_t k = 0; k < KINDS; k++)
         if (k < THEORY || (k == THEORY && psd->theory) || (k > THEORY && psd->anisotropy_db))
             columns[used++] = (bl_column){names[k], values + k * psd->count, NULL};
-    bl_status status =
-        bl_run_csv(run, bl_run_text(run, "spectrum-%s-%s", name, gallery->key[index]),
-                   bl_run_text(run,
-                               "power by frequency of %s, dB of the total variance per cycle "
-                               "per unit",
-                               gallery->signal[index]->text),
-                   columns, used, psd->count, message);
-    free(values);
-    return status;
+    bl_run_csv(run, bl_run_text(run, "spectrum-%s-%s", name, gallery->key[index]),
+               bl_run_text(run,
+                           "power by frequency of %s, dB of the total variance per cycle "
+                           "per unit",
+                           gallery->signal[index]->text),
+               columns, used, psd->count);
 }
 
 // The series of one panel; the bin of frequency 0 is not drawn: the mean is removed there.
@@ -130,16 +103,15 @@ static size_t fill_panel(bl_run *run, const bl_gallery *gallery, size_t index, c
 }
 
 // Draws the panels of all that were measured.
-static bl_status draw(bl_run *run, const bl_gallery *gallery, const bl_gallery_spectra *spectra,
-                      const bl_gallery_spectrum_plot *wanted, drawing what, bl_message *message) {
-    bl_series *series = calloc(3 * gallery->count, sizeof *series);
-    bl_panel *panels = calloc(gallery->count, sizeof *panels);
-    bl_status status = series && panels ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
+static void draw(bl_run *run, const bl_gallery *gallery, const bl_gallery_spectra *spectra,
+                 const bl_gallery_spectrum_plot *wanted, drawing what) {
+    bl_series *series = bl_run_memory(run, 3 * gallery->count, sizeof *series);
+    bl_panel *panels = bl_run_memory(run, gallery->count, sizeof *panels);
     size_t count = 0;
-    for (size_t i = 0; i < gallery->count && status == BL_OK; i++) {
-        if (!spectra->measured[i])
+    for (size_t i = 0; i < gallery->count; i++) {
+        if (!spectra->psd[i])
             continue;
-        size_t lines = fill_panel(run, gallery, i, &spectra->psd[i], wanted, what, series + 3 * i);
+        size_t lines = fill_panel(run, gallery, i, spectra->psd[i], wanted, what, series + 3 * i);
         panels[count++] = (bl_panel){gallery->label[i], series + 3 * i, lines, NULL};
     }
     const bl_limit band_end = {1, wanted->limit > 0 ? wanted->limit : 1,
@@ -159,27 +131,23 @@ static bl_status draw(bl_run *run, const bl_gallery *gallery, const bl_gallery_s
                           .aspect = 0.8,
                           .limits = &band_end,
                           .limit_count = wanted->highest > band_end.at};
-    if (status == BL_OK && count)
-        status = bl_run_plot(
+    if (count)
+        bl_run_plot(
             run, bl_run_text(run, "%s-%s", what == POWER ? "spectra" : "anisotropy", wanted->name),
-            &plot, wanted->alternative, message);
-    free(series);
-    free(panels);
-    return status;
+            &plot, wanted->alternative);
 }
 
-bl_status bl_gallery_draw_spectra(bl_run *run, const bl_gallery *gallery,
-                                  const bl_gallery_spectra *spectra,
-                                  const bl_gallery_spectrum_plot *plot, bl_message *message) {
-    bl_status status = BL_OK;
-    for (size_t i = 0; i < gallery->count && status == BL_OK; i++)
-        if (spectra->measured[i])
-            status = write_spectrum(run, gallery, i, &spectra->psd[i], plot->name, message);
-    return status == BL_OK ? draw(run, gallery, spectra, plot, POWER, message) : status;
+void bl_gallery_draw_spectra(bl_run *run, const bl_gallery *gallery,
+                             const bl_gallery_spectra *spectra,
+                             const bl_gallery_spectrum_plot *plot) {
+    for (size_t i = 0; i < gallery->count; i++)
+        if (spectra->psd[i])
+            write_spectrum(run, gallery, i, spectra->psd[i], plot->name);
+    draw(run, gallery, spectra, plot, POWER);
 }
 
-bl_status bl_gallery_draw_anisotropy(bl_run *run, const bl_gallery *gallery,
-                                     const bl_gallery_spectra *spectra,
-                                     const bl_gallery_spectrum_plot *plot, bl_message *message) {
-    return draw(run, gallery, spectra, plot, ANISOTROPY_OF_RINGS, message);
+void bl_gallery_draw_anisotropy(bl_run *run, const bl_gallery *gallery,
+                                const bl_gallery_spectra *spectra,
+                                const bl_gallery_spectrum_plot *plot) {
+    draw(run, gallery, spectra, plot, ANISOTROPY_OF_RINGS);
 }

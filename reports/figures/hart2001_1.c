@@ -5,28 +5,16 @@
 
 #include "reports/figures/estimates.h"
 #include "reports/figures/gallery.h"
-#include "spectra/psd.h"
 
 // The share of the variance above frequency 1, along lines at random places.
-static bl_status share_above_one(bl_run *run, const bl_signal *signal, bl_estimate *share,
-                                 bl_message *message) {
-    bl_psd_settings settings = bl_psd_default_settings(1);
-    bl_psd psd;
+static bl_estimate share_above_one(bl_run *run, const bl_signal *signal) {
+    bl_psd_settings settings = bl_run_psd_settings(run, 1);
     settings.rate = 64;
     settings.averages = (size_t)bl_run_pick(run, 64, 512, 8192);
-    settings.seed = bl_run_settings(run)->seed;
-    settings.threads = bl_run_settings(run)->threads;
-    bl_status status = bl_psd_measure(signal, &settings, &psd, message);
-    if (status != BL_OK)
-        return status;
-    bl_band above = {.from = 1, .to = INFINITY};
-    bl_psd_band(&psd, &above);
-    *share = above.fraction;
-    bl_psd_free(&psd);
-    return BL_OK;
+    return bl_psd_share(bl_run_psd(run, signal, &settings), 1, INFINITY);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const char *const texts[] = {"rayshade", "fractalsum:basis=rayshade,min=1,max=32"};
     static const bl_gallery_slices slices = {
         .name = "between",
@@ -39,30 +27,20 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .pixels = 256,
         .deviations = 2.5,
         .unit = "lattice cells"};
-    bl_gallery gallery;
-    bl_estimate one, sum;
-    bl_status status = bl_gallery_open(run, texts, 2, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_gallery_draw_slices(run, &gallery, &slices, message);
-    if (status == BL_OK)
-        status = share_above_one(run, gallery.signal[0], &one, message);
-    if (status == BL_OK)
-        status = share_above_one(run, gallery.signal[1], &sum, message);
-    if (status == BL_OK) {
-        bl_make_claim(run, "hart2001, section 1",
-                      "The bandwidth of noise can be controlled to inhibit aliasing: the share of "
-                      "its variance above frequency 1 is no more than 1 %.",
-                      "rayshade, along a line at a random place", "of the variance", 0, 0.01, one,
-                      "averages");
-        bl_make_claim(run, "hart2001, section 1",
-                      "Sums of octaves form fractal structures, with power at all scales: the "
-                      "share of the sum above frequency 1 minus that of one octave.",
-                      "along a line at a random place", "of the variance", 0, 1,
-                      bl_difference(sum, one), "averages");
-    }
-    bl_gallery_close(&gallery);
-    return status;
+    const bl_gallery gallery = bl_gallery_open(run, texts, 2);
+    bl_gallery_draw_slices(run, &gallery, &slices);
+    const bl_estimate one = share_above_one(run, gallery.signal[0]);
+    const bl_estimate sum = share_above_one(run, gallery.signal[1]);
+    bl_make_claim(run, "hart2001, section 1",
+                  "The bandwidth of noise can be controlled to inhibit aliasing: the share of "
+                  "its variance above frequency 1 is no more than 1 %.",
+                  "rayshade, along a line at a random place", "of the variance", 0, 0.01, one,
+                  "averages");
+    bl_make_claim(run, "hart2001, section 1",
+                  "Sums of octaves form fractal structures, with power at all scales: the "
+                  "share of the sum above frequency 1 minus that of one octave.",
+                  "along a line at a random place", "of the variance", 0, 1,
+                  bl_difference(sum, one), "averages");
 }
 
 BL_FIGURE_DESCRIPTOR(hart2001_1) = {

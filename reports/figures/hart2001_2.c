@@ -7,7 +7,6 @@
 // over that within 22.5 degrees of the diagonals, at radial frequencies from 0.2 to 1.2. A noise
 // without preferred directions reads 0 dB.
 #include <math.h>
-#include <stdlib.h>
 
 #include "reports/figures/estimates.h"
 #include "reports/figures/gallery.h"
@@ -45,30 +44,23 @@ static double tendency(const bl_psd *psd, int band) {
     return 10 * log10(axes / (double)axis_cells / (diagonals / (double)diagonal_cells));
 }
 
-static bl_status measure(bl_run *run, const bl_signal *signal, bl_estimate result[BANDS],
-                         bl_message *message) {
+static void measure(bl_run *run, const bl_signal *signal, bl_estimate result[BANDS]) {
     double values[BANDS][SPECTRA];
-    bl_psd_settings settings = bl_psd_default_settings(2);
+    bl_psd_settings settings = bl_run_psd_settings(run, 2);
     settings.rate = 8;
     settings.size = (size_t)bl_run_pick(run, 128, 256, 512);
     settings.averages = (size_t)bl_run_pick(run, 4, 16, 128);
-    settings.threads = bl_run_settings(run)->threads;
     for (int i = 0; i < SPECTRA; i++) {
-        bl_psd psd;
         settings.seed = bl_run_settings(run)->seed + 500 + (uint64_t)i;
-        bl_status status = bl_psd_measure(signal, &settings, &psd, message);
-        if (status != BL_OK)
-            return status;
+        const bl_psd *psd = bl_run_psd(run, signal, &settings);
         for (int b = 0; b < BANDS; b++)
-            values[b][i] = tendency(&psd, b);
-        bl_psd_free(&psd);
+            values[b][i] = tendency(psd, b);
     }
     for (int b = 0; b < BANDS; b++)
         result[b] = bl_mean_estimate(values[b], SPECTRA, 0.95);
-    return BL_OK;
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const char *const texts[] = {"rayshade", "rayshade:weights=linear", "scnoise"};
     static const bl_gallery_slices slices = {
         .name = "between",
@@ -82,29 +74,24 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .pixels = 256,
         .deviations = 2.5,
         .unit = "lattice cells"};
-    bl_gallery gallery;
     bl_estimate result[3][BANDS];
-    bl_status status = bl_gallery_open(run, texts, 3, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_gallery_draw_slices(run, &gallery, &slices, message);
-    for (int i = 0; i < 3 && status == BL_OK; i++)
-        status = measure(run, gallery.signal[i], result[i], message);
-    for (int i = 0; i < 2 * BANDS && status == BL_OK; i++)
+    const bl_gallery gallery = bl_gallery_open(run, texts, 3);
+    bl_gallery_draw_slices(run, &gallery, &slices);
+    for (int i = 0; i < 3; i++)
+        measure(run, gallery.signal[i], result[i]);
+    for (int i = 0; i < 2 * BANDS; i++)
         bl_make_claim(run, "hart2001, section 2",
                       "Noise on an integer lattice has a strong horizontal and vertical tendency: "
                       "the power near the axes over that near the diagonals.",
                       bl_run_text(run, "%s, slices at random places, %s", gallery.label[i % 2],
                                   bands[i / 2].word),
                       "dB", 1, unlimited, result[i % 2][i / 2], "spectra");
-    for (int b = 0; b < BANDS && status == BL_OK; b++)
+    for (int b = 0; b < BANDS; b++)
         bl_make_claim(run, "bandlimit",
                       "A noise without a lattice has no such tendency: the power near the axes "
                       "over that near the diagonals.",
                       bl_run_text(run, "scnoise, slices at random places, %s", bands[b].word), "dB",
                       -0.5, 0.5, result[2][b], "spectra");
-    bl_gallery_close(&gallery);
-    return status;
 }
 
 BL_FIGURE_DESCRIPTOR(hart2001_2) = {

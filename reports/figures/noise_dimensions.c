@@ -14,7 +14,7 @@ static const char *const texts[SIGNALS] = {"vnoise:dims=1", "vnoise:dims=2", "vn
                                            "vnoise:dims=4", "gnoise:dims=1", "gnoise:dims=2",
                                            "gnoise",        "gnoise:dims=4"};
 
-static bl_status draw_graphs(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+static void draw_graphs(bl_run *run, const bl_gallery *gallery) {
     static const bl_gallery_line lines[] = {
         {"line", "along x", {0.381966, 0.618034, 0.236068}, BL_INK_MEASURED, BL_STROKE_LINE}};
     const bl_gallery_graphs graphs = {
@@ -30,15 +30,14 @@ static bl_status draw_graphs(bl_run *run, const bl_gallery *gallery, bl_message 
         .x_label = "x, lattice cells",
         .columns = 4,
         .aspect = 0.6};
-    return bl_gallery_draw_graphs(run, gallery, &graphs, message);
+    bl_gallery_draw_graphs(run, gallery, &graphs);
 }
 
-static bl_status draw_spectra(bl_run *run, const bl_gallery *gallery, bl_message *message) {
-    bl_psd_settings settings = bl_psd_default_settings(1);
+static void draw_spectra(bl_run *run, const bl_gallery *gallery) {
+    bl_psd_settings settings = bl_run_psd_settings(run, 1);
     settings.averages = (size_t)bl_run_pick(run, 192, 2048, 32768);
-    bl_gallery_spectra spectra;
-    bl_status status =
-        bl_gallery_measure_spectra(run, gallery, &settings, "along a line", &spectra, message);
+    const bl_gallery_spectra spectra =
+        bl_gallery_measure_spectra(run, gallery, &settings, "along a line");
     const bl_gallery_spectrum_plot plot = {
         .name = "line",
         .title = "Where in frequency does the power lie along a line, in 1 to 4 dimensions?",
@@ -52,47 +51,33 @@ static bl_status draw_spectra(bl_run *run, const bl_gallery *gallery, bl_message
         .tick = 1,
         .tick_db = 20,
         .x_label = "frequency, cycles per lattice cell"};
-    if (status == BL_OK)
-        status = bl_gallery_draw_spectra(run, gallery, &spectra, &plot, message);
-    for (size_t i = 0; i < gallery->count && status == BL_OK; i++) {
-        bl_band low = {.from = 0, .to = 0.3};
-        bl_psd_band(&spectra.psd[i], &low);
-        bl_estimate off = low.fraction;
-        off.value -= low.theory;
-        off.lower -= low.theory;
-        off.upper -= low.theory;
+    bl_gallery_draw_spectra(run, gallery, &spectra, &plot);
+    for (size_t i = 0; i < gallery->count; i++) {
+        const bl_estimate off = bl_psd_share_off(spectra.psd[i], 0, 0.3);
         bl_make_claim(run, "bandlimit",
                       "The share of the variance below 0.3 is that of the closed form: measured "
                       "minus exact.",
                       gallery->label[i], "of the variance", -0.02, 0.02, off, "averages");
     }
-    bl_gallery_free_spectra(&spectra);
-    return status;
 }
 
-static bl_status claim_variances(bl_run *run, const bl_gallery *gallery, bl_message *message) {
-    bl_histogram_settings settings = bl_histogram_default_settings();
-    settings.samples = (size_t)bl_run_pick(run, 1 << 18, 1 << 21, 1 << 25);
-    settings.seed = bl_run_settings(run)->seed;
-    settings.threads = bl_run_settings(run)->threads;
+static void claim_variances(bl_run *run, const bl_gallery *gallery) {
+    bl_histogram_settings settings =
+        bl_run_histogram_settings(run, (size_t)bl_run_pick(run, 1 << 18, 1 << 21, 1 << 25));
     double dims[SIGNALS], variance[SIGNALS], lower[SIGNALS], upper[SIGNALS], exact[SIGNALS];
     for (size_t i = 0; i < gallery->count; i++) {
-        bl_histogram h;
-        bl_status status = bl_histogram_measure(gallery->signal[i], &settings, &h, message);
-        if (status != BL_OK)
-            return status;
+        const bl_histogram *h = bl_run_histogram(run, gallery->signal[i], &settings);
         dims[i] = gallery->signal[i]->dimensions;
         exact[i] = gallery->signal[i]->facts.variance;
-        variance[i] = h.variance.value;
-        lower[i] = h.variance.lower;
-        upper[i] = h.variance.upper;
-        bl_estimate ratio = h.variance;
+        variance[i] = h->variance.value;
+        lower[i] = h->variance.lower;
+        upper[i] = h->variance.upper;
+        bl_estimate ratio = h->variance;
         ratio.value /= exact[i];
         ratio.lower /= exact[i];
         ratio.upper /= exact[i];
         bl_make_claim(run, "bandlimit", "The variance is the one stated: measured over exact.",
                       gallery->label[i], "", 0.97, 1.03, ratio, "batches");
-        bl_histogram_free(&h);
     }
     const bl_column columns[] = {{.name = "signal", .words = gallery->label},
                                  {"dimensions", dims, NULL},
@@ -100,22 +85,15 @@ static bl_status claim_variances(bl_run *run, const bl_gallery *gallery, bl_mess
                                  {"variance_lower", lower, NULL},
                                  {"variance_upper", upper, NULL},
                                  {"variance_exact", exact, NULL}};
-    return bl_run_csv(run, "variances", "variance by dimensions, with 95 % intervals", columns, 6,
-                      gallery->count, message);
+    bl_run_csv(run, "variances", "variance by dimensions, with 95 % intervals", columns, 6,
+               gallery->count);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    bl_gallery gallery;
-    bl_status status = bl_gallery_open(run, texts, SIGNALS, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    status = draw_graphs(run, &gallery, message);
-    if (status == BL_OK)
-        status = draw_spectra(run, &gallery, message);
-    if (status == BL_OK)
-        status = claim_variances(run, &gallery, message);
-    bl_gallery_close(&gallery);
-    return status;
+static void run_figure(bl_run *run) {
+    const bl_gallery gallery = bl_gallery_open(run, texts, SIGNALS);
+    draw_graphs(run, &gallery);
+    draw_spectra(run, &gallery);
+    claim_variances(run, &gallery);
 }
 
 BL_FIGURE_DESCRIPTOR(noise_dimensions) = {

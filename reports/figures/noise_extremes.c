@@ -4,7 +4,6 @@
 // coordinates of 1e-30 to 1e18, and what it gives at the places where arithmetic breaks: cell
 // boundaries, denormals, negative zero, NaN, infinity.
 #include <math.h>
-#include <stdlib.h>
 
 #include "core/random.h"
 #include "noises/octaves/octaves.h"
@@ -179,10 +178,8 @@ static void measure(bl_run *run, const bl_gallery *gallery, double *values) {
     }
 }
 
-static bl_status draw_errors(bl_run *run, const bl_gallery *gallery, bl_message *message) {
-    double decade[DECADES], *values = malloc(gallery->count * DECADES * sizeof *values);
-    if (!values)
-        return bl_report(message, BL_DEVICE, "out of memory");
+static void draw_errors(bl_run *run, const bl_gallery *gallery) {
+    double decade[DECADES], *values = bl_run_memory(run, gallery->count * DECADES, sizeof *values);
     for (int d = 0; d < DECADES; d++)
         decade[d] = LOWEST + d;
     measure(run, gallery, values);
@@ -209,23 +206,14 @@ static bl_status draw_errors(bl_run *run, const bl_gallery *gallery, bl_message 
         .label = "largest of 128 places",
         .limit = &half_ulp,
         .aspect = 0.6};
-    bl_status status = bl_gallery_draw_curves(run, gallery, &curves, message);
-    free(values);
-    return status;
+    bl_gallery_draw_curves(run, gallery, &curves);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    bl_gallery gallery;
-    bl_status status = bl_all_noises_open(run, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    status = draw_errors(run, &gallery, message);
-    if (status == BL_OK) {
-        claim_edges(run, &gallery);
-        claim_widths(run, &gallery);
-    }
-    bl_gallery_close(&gallery);
-    return status;
+static void run_figure(bl_run *run) {
+    const bl_gallery gallery = bl_all_noises_open(run);
+    draw_errors(run, &gallery);
+    claim_edges(run, &gallery);
+    claim_widths(run, &gallery);
 }
 
 BL_FIGURE_DESCRIPTOR(noise_extremes) = {

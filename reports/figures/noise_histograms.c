@@ -9,21 +9,16 @@
 #include "spectra/histogram.h"
 
 // The share of the values in the middle half of the proven range: a uniform distribution reads 1/2.
-static bl_status claim_middle(bl_run *run, const bl_gallery *gallery, bl_message *message) {
-    bl_histogram_settings settings = bl_histogram_default_settings();
-    settings.samples = (size_t)bl_run_pick(run, 1 << 16, 1 << 19, 1 << 24);
-    settings.seed = bl_run_settings(run)->seed;
-    settings.threads = bl_run_settings(run)->threads;
+static void claim_middle(bl_run *run, const bl_gallery *gallery) {
+    bl_histogram_settings settings =
+        bl_run_histogram_settings(run, (size_t)bl_run_pick(run, 1 << 16, 1 << 19, 1 << 24));
     for (size_t i = 0; i < gallery->count; i++) {
         const bl_facts *facts = &gallery->signal[i]->facts;
         double middle = (facts->lower + facts->upper) / 2, half = (facts->upper - facts->lower) / 4;
-        bl_histogram h;
         settings.from = middle - half;
         settings.to = middle + half;
-        bl_status status = bl_histogram_measure(gallery->signal[i], &settings, &h, message);
-        if (status != BL_OK)
-            return status;
-        double share = 1 - (double)h.outside / (double)h.count, n = (double)h.count;
+        const bl_histogram *h = bl_run_histogram(run, gallery->signal[i], &settings);
+        double share = 1 - (double)h->outside / (double)h->count, n = (double)h->count;
         double error = bl_normal_quantile(0.975) * sqrt(fmax(share * (1 - share), 1 / n) / n);
         bl_make_claim(run, "peachey2003, Lattice Noises",
                       "Most of the values lie close to the middle of the range, with only "
@@ -31,26 +26,17 @@ static bl_status claim_middle(bl_run *run, const bl_gallery *gallery, bl_message
                       gallery->label[i], "of the values", 0.75, 1,
                       (bl_estimate){share, fmax(0, share - error), fmin(1, share + error), 0.95, n},
                       "values");
-        bl_histogram_free(&h);
     }
-    return BL_OK;
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    bl_gallery gallery;
-    bl_status status = bl_all_noises_open(run, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_gallery_draw_histograms(
+static void run_figure(bl_run *run) {
+    const bl_gallery gallery = bl_all_noises_open(run);
+    bl_gallery_draw_histograms(
         run, &gallery, (size_t)bl_run_pick(run, 1 << 16, 1 << 20, 1 << 24),
         "How are the values of all the noises distributed?",
         "The density of the values of every noise, in standard deviations from its mean, over the "
-        "normal density.",
-        message);
-    if (status == BL_OK)
-        status = claim_middle(run, &gallery, message);
-    bl_gallery_close(&gallery);
-    return status;
+        "normal density.");
+    claim_middle(run, &gallery);
 }
 
 BL_FIGURE_DESCRIPTOR(noise_histograms) = {

@@ -7,7 +7,6 @@
 // all octaves of a gradient noise are 0. With 2.17 only the lowest octave's own zeros line up with
 // it.
 #include <math.h>
-#include <stdlib.h>
 
 #include "core/random.h"
 #include "reports/figures/estimates.h"
@@ -57,8 +56,7 @@ static void claim_contrasts(bl_run *run, const contrasts *c) {
                   "pairs of sets of cells");
 }
 
-static bl_status write_contrasts(bl_run *run, const bl_gallery *gallery, const contrasts *c,
-                                 bl_message *message) {
+static void write_contrasts(bl_run *run, const bl_gallery *gallery, const contrasts *c) {
     double table[2][3][SUMS];
     bl_column columns[7] = {{.name = "signal", .words = gallery->label}};
     static const char *const names[2][3] = {
@@ -73,16 +71,13 @@ static bl_status write_contrasts(bl_run *run, const bl_gallery *gallery, const c
             for (int k = 0; k < 3; k++)
                 columns[1 + 3 * p + k] = (bl_column){names[p][k], table[p][k], NULL};
         }
-    return bl_run_csv(run, "contrasts", "lattice contrast, with 95 % intervals", columns, 7, SUMS,
-                      message);
+    bl_run_csv(run, "contrasts", "lattice contrast, with 95 % intervals", columns, 7, SUMS);
 }
 
-static bl_status measure_contrasts(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+static void measure_contrasts(bl_run *run, const bl_gallery *gallery) {
     contrasts c = {.repeats = (size_t)bl_run_pick(run, 16, 32, 64)};
     size_t cells = (size_t)bl_run_pick(run, 256, 2000, 20000);
-    double *all = malloc(sizeof *all * c.repeats * (2 * SUMS + 1));
-    if (!all)
-        return bl_report(message, BL_DEVICE, "out of memory");
+    double *all = bl_run_memory(run, c.repeats * (2 * SUMS + 1), sizeof *all);
     c.difference = all + 2 * SUMS * c.repeats;
     bl_run_setting(run, "lattice contrast",
                    bl_run_text(run,
@@ -97,9 +92,7 @@ static bl_status measure_contrasts(bl_run *run, const bl_gallery *gallery, bl_me
                                 c.values[p][i]);
         }
     claim_contrasts(run, &c);
-    bl_status status = write_contrasts(run, gallery, &c, message);
-    free(all);
-    return status;
+    write_contrasts(run, gallery, &c);
 }
 
 // --- the deviation along a lattice line ---------------------------------------------------------
@@ -125,7 +118,7 @@ static void deviation_along_edge(const bl_signal *signal, bl_random *random, siz
         out[i] = sqrt(out[i]);
 }
 
-static bl_status draw_deviations(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+static void draw_deviations(bl_run *run, const bl_gallery *gallery) {
     double x[PLACES], values[SUMS][PLACES];
     for (int i = 0; i < PLACES; i++)
         x[i] = (double)i / (PLACES - 1);
@@ -152,12 +145,12 @@ static bl_status draw_deviations(bl_run *run, const bl_gallery *gallery, bl_mess
         .stroke = BL_STROKE_LINE,
         .label = "measured",
         .aspect = 0.45};
-    return bl_gallery_draw_curves(run, gallery, &curves, message);
+    bl_gallery_draw_curves(run, gallery, &curves);
 }
 
 // --- the figure ---------------------------------------------------------------------------------
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     bl_gallery_slices slices = {
         .name = "plane",
         .title = "Do the lattice points of the octaves show, on a plane of the lattice?",
@@ -168,17 +161,10 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .length = 8,
         .pixels = 384,
         .unit = "cells of the lowest octave"};
-    bl_gallery gallery;
-    bl_status status = bl_gallery_open(run, texts, SUMS, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_gallery_draw_slices(run, &gallery, &slices, message);
-    if (status == BL_OK)
-        status = draw_deviations(run, &gallery, message);
-    if (status == BL_OK)
-        status = measure_contrasts(run, &gallery, message);
-    bl_gallery_close(&gallery);
-    return status;
+    const bl_gallery gallery = bl_gallery_open(run, texts, SUMS);
+    bl_gallery_draw_slices(run, &gallery, &slices);
+    draw_deviations(run, &gallery);
+    measure_contrasts(run, &gallery);
 }
 
 static const bl_term terms[] = {

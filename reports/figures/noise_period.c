@@ -16,7 +16,7 @@ static const char *const texts[TEXTS] = {"vnoise:lattice=perm256", "vnoise",
 
 // --- correlation with itself, far away ----------------------------------------------------------
 
-enum { DISTANCES = 40, PROBES_MOST = 65536 };
+enum { DISTANCES = 40 };
 
 // The correlation of the values at random places with those `distance` away along x.
 static double correlation(const bl_signal *signal, double distance, size_t probes, uint64_t seed,
@@ -51,23 +51,18 @@ typedef struct probes {
     size_t count;
     double *at[BL_AXES];
     float *here, *there;
-    double *memory;
 } probes;
 
-static bl_status open_probes(probes *p, size_t count, bl_message *message) {
-    p->count = count;
-    p->memory = malloc((BL_AXES + 1) * count * sizeof *p->memory);
-    if (!p->memory)
-        return bl_report(message, BL_DEVICE, "out of memory");
+static probes open_probes(bl_run *run, size_t count) {
+    probes p = {.count = count,
+                .here = bl_run_memory(run, count, sizeof(float)),
+                .there = bl_run_memory(run, count, sizeof(float))};
     for (size_t a = 0; a < BL_AXES; a++)
-        p->at[a] = p->memory + a * count;
-    p->here = (float *)(p->memory + BL_AXES * count);
-    p->there = p->here + count;
-    return BL_OK;
+        p.at[a] = bl_run_memory(run, count, sizeof(double));
+    return p;
 }
 
-static bl_status plot_correlations(bl_run *run, const bl_gallery *gallery, const probes *p,
-                                   bl_message *message) {
+static void plot_correlations(bl_run *run, const bl_gallery *gallery, const probes *p) {
     double distance[DISTANCES], values[TEXTS][DISTANCES];
     for (int d = 0; d < DISTANCES; d++)
         distance[d] = d < 18 ? ldexp(1, d) : 256.0 * (double)(3 + 2 * (d - 18));
@@ -94,7 +89,7 @@ static bl_status plot_correlations(bl_run *run, const bl_gallery *gallery, const
         .stroke = BL_STROKE_POINTS,
         .label = "measured",
         .aspect = 0.4};
-    return bl_gallery_draw_curves(run, gallery, &curves, message);
+    bl_gallery_draw_curves(run, gallery, &curves);
 }
 
 static void claim_correlations(bl_run *run, const bl_gallery *gallery, const probes *p) {
@@ -142,11 +137,9 @@ static double best_shift(const bl_signal *signal, double y, double other_y) {
     return best;
 }
 
-static bl_status claim_rows(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+static void claim_rows(bl_run *run, const bl_gallery *gallery) {
     size_t rows = (size_t)bl_run_pick(run, 24, 128, 256);
-    double *values = malloc(rows * sizeof *values);
-    if (!values)
-        return bl_report(message, BL_DEVICE, "out of memory");
+    double *values = bl_run_memory(run, rows, sizeof *values);
     for (int i = 0; i < 2; i++) {
         for (size_t k = 0; k < rows; k++)
             values[k] = best_shift(gallery->signal[i], (double)k, (double)k + 1);
@@ -160,8 +153,6 @@ static bl_status claim_rows(bl_run *run, const bl_gallery *gallery, bl_message *
             bl_run_text(run, "%s, lattice values", gallery->label[i]), "", i == 0 ? 1 - 1e-12 : 0,
             i == 0 ? 1 + 1e-12 : 0.5, bl_mean_estimate(values, rows, 0.95), "pairs of rows");
     }
-    free(values);
-    return BL_OK;
 }
 
 // --- the picture --------------------------------------------------------------------------------
@@ -170,17 +161,14 @@ enum { CELLS = 768, BLOCK = 16, SIDE = CELLS / BLOCK };
 
 // The means of blocks of cells, one sample a cell: what a table of 256 repeats shows best from far
 // away, where single cells are too small to be told apart.
-static bl_status block_means(const bl_signal *signal, int threads, float *out,
-                             bl_message *message) {
-    float *samples = malloc(sizeof *samples * CELLS * CELLS);
+static void block_means(bl_run *run, const bl_signal *signal, float *out) {
+    float *samples = bl_run_memory(run, CELLS * CELLS, sizeof *samples);
     const bl_grid grid = {.origin = {0.5, 0.5, 0.5, 0},
                           .right = {1, 0, 0, 0},
                           .down = {0, 1, 0, 0},
                           .width = CELLS,
                           .height = CELLS};
-    if (!samples)
-        return bl_report(message, BL_DEVICE, "out of memory");
-    bl_grid_fill(signal, &grid, threads, samples);
+    bl_grid_fill(signal, &grid, bl_run_settings(run)->threads, samples);
     for (size_t n = 0; n < SIDE * SIDE; n++) {
         size_t left = n % SIDE * BLOCK, top = n / SIDE * BLOCK;
         double sum = 0;
@@ -188,27 +176,22 @@ static bl_status block_means(const bl_signal *signal, int threads, float *out,
             sum += (double)samples[(top + k / BLOCK) * CELLS + left + k % BLOCK];
         out[n] = (float)(sum / (BLOCK * BLOCK));
     }
-    free(samples);
-    return BL_OK;
 }
 
-static bl_status draw_wide(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+static void draw_wide(bl_run *run, const bl_gallery *gallery) {
     enum { SHOWN = 2 };
     bl_panel panels[SHOWN] = {0};
     float values[SIDE * SIDE];
     const double white = 0.07; // about three standard deviations of a mean
-    bl_status status = BL_OK;
-    for (int i = 0; i < SHOWN && status == BL_OK; i++) {
+    for (int i = 0; i < SHOWN; i++) {
         const bl_image image = {.width = SIDE,
                                 .height = SIDE,
                                 .values = values,
                                 .spacing = BLOCK,
                                 .black = -white,
                                 .white = white};
-        status = block_means(gallery->signal[i], bl_run_settings(run)->threads, values, message);
-        if (status == BL_OK)
-            status =
-                bl_run_image(run, bl_run_text(run, "%s-wide", gallery->key[i]), &image, message);
+        block_means(run, gallery->signal[i], values);
+        bl_run_image(run, bl_run_text(run, "%s-wide", gallery->key[i]), &image);
         panels[i].title = gallery->label[i];
         panels[i].image = bl_run_text(run, "%s-wide.png", gallery->key[i]);
     }
@@ -224,34 +207,20 @@ static bl_status draw_wide(bl_run *run, const bl_gallery *gallery, bl_message *m
         .white = white,
         .pixel = BLOCK,
         .scale_label = "mean"};
-    return status == BL_OK
-               ? bl_run_plot(run, "wide", &plot,
-                             "Two grey pictures of 768 by 768 cells, a pixel the mean of 16 by 16 "
-                             "cells. With the table one patch is repeated three times across and "
-                             "down; with the hash nothing comes "
-                             "back.",
-                             message)
-               : status;
+    bl_run_plot(run, "wide", &plot,
+                "Two grey pictures of 768 by 768 cells, a pixel the mean of 16 by 16 "
+                "cells. With the table one patch is repeated three times across and "
+                "down; with the hash nothing comes "
+                "back.");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    bl_gallery gallery;
-    probes p = {0};
-    bl_status status = bl_gallery_open(run, texts, TEXTS, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    status = open_probes(&p, (size_t)bl_run_pick(run, 4096, 32768, PROBES_MOST), message);
-    if (status == BL_OK)
-        status = draw_wide(run, &gallery, message);
-    if (status == BL_OK)
-        status = plot_correlations(run, &gallery, &p, message);
-    if (status == BL_OK) {
-        claim_correlations(run, &gallery, &p);
-        status = claim_rows(run, &gallery, message);
-    }
-    free(p.memory);
-    bl_gallery_close(&gallery);
-    return status;
+static void run_figure(bl_run *run) {
+    const bl_gallery gallery = bl_gallery_open(run, texts, TEXTS);
+    const probes p = open_probes(run, (size_t)bl_run_pick(run, 4096, 32768, 65536));
+    draw_wide(run, &gallery);
+    plot_correlations(run, &gallery, &p);
+    claim_correlations(run, &gallery, &p);
+    claim_rows(run, &gallery);
 }
 
 BL_FIGURE_DESCRIPTOR(noise_period) = {

@@ -11,7 +11,7 @@
 enum { CELLS = 16, PIXELS = 192 };
 
 static bl_psd_settings slice_settings(const bl_run *run) {
-    bl_psd_settings settings = bl_psd_default_settings(2);
+    bl_psd_settings settings = bl_run_psd_settings(run, 2);
     settings.rate = 8;
     settings.size = (size_t)bl_run_pick(run, 128, 256, 512);
     settings.averages = (size_t)bl_run_pick(run, 4, 32, 512);
@@ -22,16 +22,11 @@ static bl_psd_settings slice_settings(const bl_run *run) {
 static void claim_shares(bl_run *run, const bl_gallery *gallery,
                          const bl_gallery_spectra *spectra) {
     for (size_t i = 0; i < gallery->count; i++) {
-        bl_band band = {.from = 0, .to = 1};
-        if (!spectra->measured[i])
+        if (!spectra->psd[i])
             continue;
-        bl_psd_band(&spectra->psd[i], &band);
-        if (isnan(band.theory))
+        const bl_estimate off = bl_psd_share_off(spectra->psd[i], 0, 1);
+        if (isnan(off.value))
             continue;
-        bl_estimate off = band.fraction;
-        off.value -= band.theory;
-        off.lower -= band.theory;
-        off.upper -= band.theory;
         bl_make_claim(run, "bandlimit",
                       "The share of the variance below frequency 1 in a slice is that of the "
                       "closed form: measured minus exact.",
@@ -39,7 +34,7 @@ static void claim_shares(bl_run *run, const bl_gallery *gallery,
     }
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const bl_gallery_slices slices = {
         .name = "slice",
         .title = "What do all the noises look like?",
@@ -51,12 +46,8 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .pixels = PIXELS,
         .deviations = 2.5,
         .unit = "units"};
-    bl_gallery gallery;
-    bl_gallery_spectra spectra;
-    bl_status status = bl_all_noises_open(run, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_gallery_draw_slices(run, &gallery, &slices, message);
+    const bl_gallery gallery = bl_all_noises_open(run);
+    bl_gallery_draw_slices(run, &gallery, &slices);
     bl_psd_settings settings = slice_settings(run);
     bl_run_setting(run, "slice spectra",
                    bl_run_text(run, "%zu averages of %zu x %zu samples, %g a unit",
@@ -73,26 +64,18 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .tick = 1,
         .tick_db = 20,
         .x_label = "radial frequency, cycles per unit"};
-    if (status == BL_OK) {
-        status =
-            bl_gallery_measure_spectra(run, &gallery, &settings, "in a slice", &spectra, message);
-        if (status == BL_OK)
-            status = bl_gallery_draw_spectra(run, &gallery, &spectra, &plot, message);
-        plot.title = "How much do the spectra of all the noises prefer directions?";
-        plot.alternative =
-            "The anisotropy of the rings of every slice spectrum; the dashed level "
-            "is what a noise without preferred directions reads.";
-        plot.lowest_db = -25;
-        plot.highest_db = 25;
-        plot.tick_db = 10;
-        if (status == BL_OK)
-            status = bl_gallery_draw_anisotropy(run, &gallery, &spectra, &plot, message);
-        if (status == BL_OK)
-            claim_shares(run, &gallery, &spectra);
-        bl_gallery_free_spectra(&spectra);
-    }
-    bl_gallery_close(&gallery);
-    return status;
+    const bl_gallery_spectra spectra =
+        bl_gallery_measure_spectra(run, &gallery, &settings, "in a slice");
+    bl_gallery_draw_spectra(run, &gallery, &spectra, &plot);
+    plot.title = "How much do the spectra of all the noises prefer directions?";
+    plot.alternative =
+        "The anisotropy of the rings of every slice spectrum; the dashed level "
+        "is what a noise without preferred directions reads.";
+    plot.lowest_db = -25;
+    plot.highest_db = 25;
+    plot.tick_db = 10;
+    bl_gallery_draw_anisotropy(run, &gallery, &spectra, &plot);
+    claim_shares(run, &gallery, &spectra);
 }
 
 BL_FIGURE_DESCRIPTOR(noise_zoo) = {

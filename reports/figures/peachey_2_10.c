@@ -59,7 +59,7 @@ static void claim_identities(bl_run *run) {
                         largest[i]);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const bl_curve curves[] = {
         {"clamp:low=0.5,high=1.5", "clamp, a = 1/2, b = 3/2", BL_INK_MEASURED, BL_STROKE_LINE},
         {"clamp:low=0.5,high=1.5,width=0.5", "averaged over 1/2", BL_INK_THEORY, BL_STROKE_THIN},
@@ -73,10 +73,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .count = 3,
         .x = {"x", 0, 2, 0.5, 0},
         .y = {"value", 0, 2, 0.5, 0}};
-    bl_gallery gallery;
-    bl_status status = bl_curves_draw(run, &plot, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 28",
                     "clamp is a below a, x between a and b, and b above b: the largest deviation.",
                     "from -1 to 3", 0, bl_curves_largest(clamp_less_listing, &gallery, -1, 3));
@@ -85,8 +82,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                     "deviation.",
                     "from -1 to 3", 0, bl_curves_largest(clamped_twice, &gallery, -1, 3));
     claim_identities(run);
-    bl_gallery_close(&gallery);
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_10) = {

@@ -16,7 +16,7 @@ static double negative_part(const bl_gallery *g, double x) {
     return fmin(bl_curves_at(g, RECTIFIED, x), 0);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const bl_curve curves[] = {
         {"abs", "abs", BL_INK_MEASURED, BL_STROKE_LINE},
         {"abs:width=1", "averaged over 1", BL_INK_THEORY, BL_STROKE_THIN},
@@ -31,10 +31,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .count = 4,
         .x = {"x", -2, 2, 0.5, 0},
         .y = {"value", -1, 2, 0.5, 0}};
-    bl_gallery gallery;
-    bl_status status = bl_curves_draw(run, &plot, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 29",
                     "abs rectifies a sine: what is left below 0 of the pulses.", "from -2 to 2", 0,
                     bl_curves_largest(negative_part, &gallery, -2, 2));
@@ -48,8 +45,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
     bl_make_claim(run, "bandlimit", "Averaged over the width w, the point of abs rises to w / 4.",
                   "at 0, width 1", "", 0.25, 0.25,
                   bl_exactly(bl_curves_at(&gallery, AVERAGED, 0), 1), "places");
-    bl_gallery_close(&gallery);
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_11) = {

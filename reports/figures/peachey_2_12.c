@@ -47,7 +47,7 @@ static double slope_at_ends(const bl_gallery *g) {
            (2 * h);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const bl_curve curves[] = {
         {"smoothstep", "smoothstep from a = 0 to b = 1", BL_INK_MEASURED, BL_STROKE_LINE},
         {"smoothstep:width=0.5", "averaged over 1/2", BL_INK_THEORY, BL_STROKE_THIN},
@@ -61,11 +61,8 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .count = 3,
         .x = {"x", -0.5, 1.5, 0.5, 0},
         .y = {"value", -0.1, 1.1, 0.5, 0}};
-    bl_gallery gallery;
     double c[4];
-    bl_status status = bl_curves_draw(run, &plot, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 29", "The slope of smoothstep is 0 at both ends.",
                     "central differences over 2^-20, which add up to 3/2 of it", 2e-6,
                     slope_at_ends(&gallery));
@@ -77,8 +74,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                     "That cubic is 3 x^2 - 2 x^3: the largest deviation of the solution of the "
                     "four conditions from smoothstep.",
                     "from 0 to 1", 1e-15, bl_curves_largest(signal_less_cubic, &gallery, 0, 1));
-    bl_gallery_close(&gallery);
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_12) = {

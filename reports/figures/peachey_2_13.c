@@ -33,7 +33,7 @@ static double averaged_less_share(const bl_gallery *g, double x) {
     return bl_curves_at(g, AVERAGED, x) - 2 / M_PI * bl_curves_at(g, SINE, x);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const bl_curve curves[] = {
         {"sine", "sin(2 pi x)", BL_INK_MEASURED, BL_STROKE_LINE},
         {"sine:phase=1/4", "cos(2 pi x)", BL_INK_THEORY, BL_STROKE_LINE},
@@ -47,10 +47,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .count = 3,
         .x = {"x, in periods", -1, 1, 0.25, 0},
         .y = {"value", -1.1, 1.1, 0.5, 0}};
-    bl_gallery gallery;
-    bl_status status = bl_curves_draw(run, &plot, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 30",
                     "Sine and cosine go around a circle: the largest deviation of the sum of their "
                     "squares from 1.",
@@ -71,8 +68,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                     "angle in floats, 2^20 periods from 0, is within 1/255.",
                     "multiples of 1/8, which floats have exactly, from -1 to 1", 1.0 / 255,
                     bl_curves_largest(float_far, &gallery, -1, 1));
-    bl_gallery_close(&gallery);
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_13) = {

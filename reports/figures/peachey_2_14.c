@@ -73,7 +73,7 @@ static void claim_listings(bl_run *run, const bl_gallery *gallery) {
                   "places");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const bl_curve curves[] = {
         {"mod", "mod(x, a) / a, a = 1", BL_INK_MEASURED, BL_STROKE_LINE},
         {"floor", "floor(x)", BL_INK_FOURTH, BL_STROKE_DASHED},
@@ -89,10 +89,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .count = 4,
         .x = {"x / a", -2, 2, 0.5, 0},
         .y = {"value", -2.1, 1.1, 0.5, 0}};
-    bl_gallery gallery;
-    bl_status status = bl_curves_draw(run, &plot, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 31",
                     "mod(x, a) / a has the amplitude 1: the most by which it leaves [0, 1).",
                     "from -2 to 2", 0, bl_curves_largest(beyond_range, &gallery, -2, 2));
@@ -103,8 +100,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
     bl_curves_claim(run, "bandlimit", "floor and mod add up to x: the largest deviation.",
                     "from -2 to 2", 5e-16, bl_curves_largest(floor_and_mod, &gallery, -2, 2));
     claim_listings(run, &gallery);
-    bl_gallery_close(&gallery);
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_14) = {

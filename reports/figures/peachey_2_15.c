@@ -24,7 +24,7 @@ static double mean_of_average(const bl_gallery *g) {
     return sum;
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const bl_curve curves[] = {
         {"pulse:low=0.4,high=0.6", "pulse of mod", BL_INK_MEASURED, BL_STROKE_LINE},
         {"pulse:low=0.4,high=0.6,period=inf", "pulse of x", BL_INK_FOURTH, BL_STROKE_DASHED},
@@ -41,10 +41,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .count = 5,
         .x = {"x / a", -1, 3, 0.5, 0},
         .y = {"value", -0.1, 1.1, 0.5, 0}};
-    bl_gallery gallery;
-    bl_status status = bl_curves_draw(run, &plot, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 32",
                     "A function of mod is periodic: the largest deviation of the periodic pulse "
                     "from the pulse of mod.",
@@ -56,8 +53,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                     "Averaged over a whole period the pulses are their mean: the largest "
                     "deviation from 0.2.",
                     "from -1 to 3", 1e-15, bl_curves_largest(wide_less_mean, &gallery, -1, 3));
-    bl_gallery_close(&gallery);
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_15) = {

@@ -41,7 +41,7 @@ static double jump_at_knots(const bl_gallery *g, int order) {
     return largest;
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const bl_curve curves[] = {
         {"spline:knots=" KNOTS, "spline", BL_INK_MEASURED, BL_STROKE_LINE},
         {"spline:knots=0.25;0;0.25;1;2.25", "spline of squares", BL_INK_FOURTH, BL_STROKE_DASHED},
@@ -61,10 +61,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .y = {"value", -0.1, 1.3, 0.5, 0},
         .limits = limits,
         .limit_count = 4};
-    bl_gallery gallery;
-    bl_status status = bl_curves_draw(run, &plot, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 34",
                     "The spline passes its knots, the second at 0 and the last but one at 1: the "
                     "largest deviation.",
@@ -80,8 +77,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                     "Catmull-Rom splines make the second derivative continuous: its largest jump "
                     "at a knot, per span squared.",
                     "one-sided differences over 1e-4 of a span", 0.01, jump_at_knots(&gallery, 2));
-    bl_gallery_close(&gallery);
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_16) = {

@@ -59,7 +59,7 @@ static void claim_all(bl_run *run, const bl_signal *signal) {
         bl_exactly((double)dark / (STEPS + 1), STEPS + 1), "altitudes");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     const bl_shown shown[] = {{.key = "ball",
                                .title = "reflected sky",
                                .text = "metallic",
@@ -76,14 +76,9 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .columns = 1,
         .pixels = (unsigned)bl_run_pick(run, 192, 384, 1024),
         .unit = "of the picture"};
-    bl_signal *signal;
-    bl_status status = bl_pictures_open("metallic", &signal, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_pictures_draw(run, &pictures, message);
+    bl_signal *signal = bl_run_signal(run, "metallic");
+    bl_pictures_draw(run, &pictures);
     claim_all(run, signal);
-    bl_signal_free(signal);
-    return status;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_17) = {

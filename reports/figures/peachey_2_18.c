@@ -22,7 +22,7 @@ static double there_and_back(const bl_gallery *g, double x) {
     return bl_curves_at(g, BACK, bl_curves_at(g, HIGH, x)) - x;
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const bl_curve curves[] = {
         {"gamma:gamma=0.4", "gamma = 0.4", BL_INK_MEASURED, BL_STROKE_LINE},
         {"gamma:gamma=2.3", "gamma = 2.3", BL_INK_THEORY, BL_STROKE_LINE},
@@ -37,10 +37,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .count = 4,
         .x = {"x", 0, 1, 0.25, 0},
         .y = {"value", 0, 1, 0.25, 0}};
-    bl_gallery gallery;
-    bl_status status = bl_curves_draw(run, &plot, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 37",
                     "0 and 1 are mapped to themselves: the largest "
                     "deviation.",
@@ -53,8 +50,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
     bl_curves_claim(run, "bandlimit", "1 / gamma is the inverse of gamma: the largest deviation.",
                     "gamma 2.3, from 0 to 1", 1e-15,
                     bl_curves_largest(there_and_back, &gallery, 0, 1));
-    bl_gallery_close(&gallery);
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_18) = {

@@ -28,7 +28,7 @@ static double largest_difference(double b) {
 }
 
 // For each b from 0.01 to 0.99; the largest over 0.1 to 0.9, which the figure draws.
-static bl_status write_differences(bl_run *run, double *largest, bl_message *message) {
+static void write_differences(bl_run *run, double *largest) {
     double b[99], difference[99];
     *largest = 0;
     for (int i = 0; i < 99; i++) {
@@ -38,10 +38,10 @@ static bl_status write_differences(bl_run *run, double *largest, bl_message *mes
             *largest = fmax(*largest, difference[i]);
     }
     const bl_column columns[] = {{"b", b, NULL}, {"largest_difference", difference, NULL}};
-    bl_status status = bl_run_csv(run, "schlick",
-                                  "the largest difference of Schlick's bias from "
-                                  "the power, over x from 0 to 1",
-                                  columns, 2, 99, message);
+    bl_run_csv(run, "schlick",
+               "the largest difference of Schlick's bias from "
+               "the power, over x from 0 to 1",
+               columns, 2, 99);
     const bl_series series = {
         BL_STROKE_LINE, BL_INK_MEASURED, "schlick.csv", "b", "largest_difference", NULL, NULL, 0};
     const bl_panel panel = {"", &series, 1, NULL};
@@ -51,15 +51,12 @@ static bl_status write_differences(bl_run *run, double *largest, bl_message *mes
                           .panels = &panel,
                           .panel_count = 1,
                           .columns = 1};
-    return status != BL_OK
-               ? status
-               : bl_run_plot(run, "schlick", &plot,
-                             "The largest difference of the two forms against b: 0 at 1/2, where "
-                             "both are straight, and rising to both sides.",
-                             message);
+    bl_run_plot(run, "schlick", &plot,
+                "The largest difference of the two forms against b: 0 at 1/2, where "
+                "both are straight, and rising to both sides.");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const bl_curve curves[2 * VALUES] = {
         {"bias:b=0.1", "power, b = 0.1", BL_INK_MEASURED, BL_STROKE_LINE},
         {"bias:b=0.3", "0.3", BL_INK_THEORY, BL_STROKE_LINE},
@@ -82,23 +79,17 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .y = {"value", 0, 1, 0.25, 0},
         .limits = limits,
         .limit_count = 1};
-    bl_gallery gallery;
     double largest;
-    bl_status status = bl_curves_draw(run, &plot, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 38",
                     "bias(b, 1/2) is b, in both forms: the largest deviation.",
                     "b of 0.1, 0.3, 0.7 and 0.9", 1e-15, bl_curves_largest(middle, &gallery, 0, 4));
-    status = write_differences(run, &largest, message);
-    if (status == BL_OK)
-        bl_make_claim(run, "peachey2003, p. 39",
-                      "Schlick's ratio approximates bias: its largest difference from the power is "
-                      "at most a tenth, which is our reading of it.",
-                      "b from 0.1 to 0.9 by 0.01, 4001 places each", "", 0, 0.1,
-                      bl_exactly(largest, 81 * 4001.0), "places");
-    bl_gallery_close(&gallery);
-    return status;
+    write_differences(run, &largest);
+    bl_make_claim(run, "peachey2003, p. 39",
+                  "Schlick's ratio approximates bias: its largest difference from the power is "
+                  "at most a tenth, which is our reading of it.",
+                  "b from 0.1 to 0.9 by 0.01, 4001 places each", "", 0, 0.1,
+                  bl_exactly(largest, 81 * 4001.0), "places");
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_19) = {

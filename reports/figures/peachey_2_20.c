@@ -34,7 +34,7 @@ static double as_printed_less_mirrored(const bl_gallery *g, double x) {
     return (x <= 0.5 ? half : 1 - half) - bl_curves_at(g, 2 * VALUES - 1, x);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const bl_curve curves[2 * VALUES] = {
         {"gain:g=0.1", "power, g = 0.1", BL_INK_MEASURED, BL_STROKE_LINE},
         {"gain:g=0.3", "0.3", BL_INK_THEORY, BL_STROKE_LINE},
@@ -54,10 +54,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .count = 2 * VALUES,
         .x = {"x", 0, 1, 0.25, 0},
         .y = {"value", 0, 1, 0.25, 0}};
-    bl_gallery gallery;
-    bl_status status = bl_curves_draw(run, &plot, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(
         run, "peachey2003, p. 39", "All gain functions are 1/2 at 1/2: the largest deviation.",
         "g of 0.1, 0.3, 0.7 and 0.9, both forms", 0, bl_curves_largest(middle, &gallery, 0, 8));
@@ -78,8 +75,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                     "deviation.",
                     "g = 0.1, from 0 to 1", 1e-15,
                     bl_curves_largest(as_printed_less_mirrored, &gallery, 0, 1));
-    bl_gallery_close(&gallery);
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_20) = {

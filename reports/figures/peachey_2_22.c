@@ -72,15 +72,13 @@ static void claim_all(bl_run *run, bl_signal *const wall[4]) {
         bl_exactly(largest_error(wall[1], wall[3], 0.03, 1), 16384), "places");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const char *const titles[] = {"brick", "boxstep, few pixels", "integral, few pixels",
                                          "exact, few pixels", "points, few pixels"};
     static const char *const keys[] = {"brick", "boxstep", "integral", "exact", "points"};
-    bl_signal *wall[4] = {NULL};
+    bl_signal *wall[4];
     bl_shown shown[5];
-    bl_status status = BL_OK;
-    for (int i = 0; i < 4 && status == BL_OK; i++)
-        status = bl_pictures_open(texts[i], &wall[i], message);
+    bl_run_signals(run, texts, 4, wall);
     for (int i = 0; i < 5; i++)
         shown[i] = (bl_shown){.key = keys[i],
                               .title = titles[i],
@@ -101,13 +99,8 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .columns = 3,
         .pixels = COARSE * (unsigned)bl_run_pick(run, 6, 12, 24),
         .unit = "units"};
-    if (status == BL_OK)
-        status = bl_pictures_draw(run, &pictures, message);
-    if (status == BL_OK)
-        claim_all(run, wall);
-    for (int i = 0; i < 4; i++)
-        bl_signal_free(wall[i]);
-    return status;
+    bl_pictures_draw(run, &pictures);
+    claim_all(run, wall);
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_22) = {

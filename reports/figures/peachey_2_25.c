@@ -60,12 +60,10 @@ static void claim_all(bl_run *run, const bl_signal *bump, const bl_signal *slope
                   bl_exactly(averaged / mean - 1, 65536), "places");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const char *const texts[] = {"bumpbrick", "bumpbrick:filter=slope", "brick"};
-    bl_signal *wall[3] = {NULL};
-    bl_status status = BL_OK;
-    for (int i = 0; i < 3 && status == BL_OK; i++)
-        status = bl_pictures_open(texts[i], &wall[i], message);
+    bl_signal *wall[3];
+    bl_run_signals(run, texts, 3, wall);
     const bl_shown shown[] = {{.key = "bumps",
                                .title = "bumpbrick",
                                .signal = wall[0],
@@ -97,13 +95,8 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .pixels = 48 * (unsigned)bl_run_pick(run, 4, 8, 20),
         .upwards = 1,
         .unit = "pictures of 0.36 units"};
-    if (status == BL_OK)
-        status = bl_pictures_draw(run, &pictures, message);
-    if (status == BL_OK)
-        claim_all(run, wall[0], wall[1], wall[2]);
-    for (int i = 0; i < 3; i++)
-        bl_signal_free(wall[i]);
-    return status;
+    bl_pictures_draw(run, &pictures);
+    claim_all(run, wall[0], wall[1], wall[2]);
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_25) = {

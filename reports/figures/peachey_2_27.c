@@ -23,12 +23,10 @@ static bl_estimate area_of(const bl_signal *signal, int exact, int side) {
     return (bl_estimate){area, area - error, area + error, 1, (double)side * side};
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const char *const texts[] = {"star", "star:form=printed", "star:filter=exact"};
-    bl_signal *star[3] = {NULL};
-    bl_status status = BL_OK;
-    for (int i = 0; i < 3 && status == BL_OK; i++)
-        status = bl_pictures_open(texts[i], &star[i], message);
+    bl_signal *star[3];
+    bl_run_signals(run, texts, 3, star);
     const bl_shown shown[] = {{.key = "corrected",
                                .title = "corrected",
                                .signal = star[0],
@@ -59,23 +57,17 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .columns = 3,
         .pixels = 32 * (unsigned)bl_run_pick(run, 6, 12, 32),
         .unit = "pictures of half a unit"};
-    if (status == BL_OK)
-        status = bl_pictures_draw(run, &pictures, message);
-    if (status == BL_OK) {
-        static const char source[] = "peachey2003, Example: Procedural Star Texture";
-        static const char sentence[] =
-            "Edges run straight from tips at 0.2 to notches at 0.07: the area is "
-            "5 * 0.2 * 0.07 sin 36 degrees = 0.041145.";
-        int side = (int)bl_run_pick(run, 1000, 3000, 10000);
-        double area = 5 * 0.2 * 0.07 * sin(M_PI / 5), allowed = 2e-3;
-        bl_make_claim(run, source, sentence, "corrected, areas of 100 x 100 cells", "square units",
-                      area - 1e-9, area + 1e-9, area_of(star[2], 1, 100), "cells");
-        bl_make_claim(run, source, sentence, "as printed, points", "square units", area - allowed,
-                      area + allowed, area_of(star[1], 0, side), "points");
-    }
-    for (int i = 0; i < 3; i++)
-        bl_signal_free(star[i]);
-    return status;
+    bl_pictures_draw(run, &pictures);
+    static const char source[] = "peachey2003, Example: Procedural Star Texture";
+    static const char sentence[] =
+        "Edges run straight from tips at 0.2 to notches at 0.07: the area is "
+        "5 * 0.2 * 0.07 sin 36 degrees = 0.041145.";
+    int side = (int)bl_run_pick(run, 1000, 3000, 10000);
+    double area = 5 * 0.2 * 0.07 * sin(M_PI / 5), allowed = 2e-3;
+    bl_make_claim(run, source, sentence, "corrected, areas of 100 x 100 cells", "square units",
+                  area - 1e-9, area + 1e-9, area_of(star[2], 1, 100), "cells");
+    bl_make_claim(run, source, sentence, "as printed, points", "square units", area - allowed,
+                  area + allowed, area_of(star[1], 0, side), "points");
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_27) = {

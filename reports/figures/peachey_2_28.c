@@ -44,11 +44,8 @@ static double thickest(bl_run *run, const bl_signal *sky) {
     return most;
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    bl_signal *sky;
-    bl_status status = bl_pictures_open("cloudplane", &sky, message);
-    if (status != BL_OK)
-        return status;
+static void run_figure(bl_run *run) {
+    bl_signal *sky = bl_run_signal(run, "cloudplane");
     const bl_shown shown[] = {
         {.key = "near", .title = "80 units", .signal = sky, .scale = 80, .samples = 2},
         {.key = "far", .title = "320 units", .signal = sky, .scale = 320, .samples = 2},
@@ -68,7 +65,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .columns = 3,
         .pixels = (unsigned)bl_run_pick(run, 128, 320, 1024),
         .unit = "pictures"};
-    status = bl_pictures_draw(run, &pictures, message);
+    bl_pictures_draw(run, &pictures);
     bl_make_claim(
         run, "peachey2003, Spectral Synthesis",
         "Magic numbers prevent regular patterns: the correlation of the sky with itself one "
@@ -81,8 +78,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         "0.392.",
         "the thickest cloud of random places", "of the way to white", 0, 0.392,
         bl_observed(thickest(run, sky), bl_run_pick(run, 20000, 200000, 2000000)), "places");
-    bl_signal_free(sky);
-    return status;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_28) = {

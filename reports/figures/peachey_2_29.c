@@ -50,7 +50,7 @@ static double error_of(double (*signal)(double x),
     return sqrt(squares / (double)count);
 }
 
-static bl_status draw(bl_run *run, bl_message *message) {
+static void draw(bl_run *run) {
     static double x[DRAWN], signal[DRAWN], lines[DRAWN], sincs[DRAWN], place[SAMPLES + 1],
         sample[SAMPLES + 1];
     for (size_t i = 0; i < DRAWN; i++) {
@@ -66,10 +66,8 @@ static bl_status draw(bl_run *run, bl_message *message) {
     const bl_column curves[] = {
         {"x", x, NULL}, {"signal", signal, NULL}, {"linear", lines, NULL}, {"ideal", sincs, NULL}};
     const bl_column points[] = {{"x", place, NULL}, {"sample", sample, NULL}};
-    bl_status status = bl_run_csv(run, "curves", "the signal and what is made of its samples",
-                                  curves, 4, DRAWN, message);
-    if (status == BL_OK)
-        status = bl_run_csv(run, "samples", "one a unit", points, 2, SAMPLES + 1, message);
+    bl_run_csv(run, "curves", "the signal and what is made of its samples", curves, 4, DRAWN);
+    bl_run_csv(run, "samples", "one a unit", points, 2, SAMPLES + 1);
     const bl_series sampled[] = {
         {BL_STROKE_LINE, BL_INK_MEASURED, "curves.csv", "x", "signal", NULL, "signal", 0},
         {BL_STROKE_POINTS, BL_INK_PLAIN, "samples.csv", "x", "sample", NULL, "samples", 0},
@@ -89,21 +87,15 @@ static bl_status draw(bl_run *run, bl_message *message) {
                           .panel_count = 3,
                           .columns = 1,
                           .aspect = 0.3};
-    return status == BL_OK
-               ? bl_run_plot(
-                     run, "sampling", &plot,
-                     "Three graphs of one wavy signal with dots at its samples: alone, with "
-                     "lines from dot to dot that cut its crests, and with a curve through "
-                     "the dots that lies on the signal.",
-                     message)
-               : status;
+    bl_run_plot(run, "sampling", &plot,
+                "Three graphs of one wavy signal with dots at its samples: alone, with "
+                "lines from dot to dot that cut its crests, and with a curve through "
+                "the dots that lies on the signal.");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     bl_run_setting(run, "signal", "four waves of 2, 5, 9 and 13 cycles in 32 samples");
-    bl_status status = draw(run, message);
-    if (status != BL_OK)
-        return status;
+    draw(run);
     const double count = DRAWN - 1;
     bl_make_claim(
         run, section,
@@ -119,7 +111,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
     bl_make_claim(run, "bandlimit", "Lines from sample to sample do not rebuild it: the rms error.",
                   "the same signal", "of full scale 1", 0.01, 1,
                   bl_exactly(error_of(band_limited, linear), count), "places");
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_29) = {

@@ -20,21 +20,17 @@ static double predicted(double frequency) {
 }
 
 // The strongest frequency of the samples of a sine, in cycles per sample, to half a bin, and their
-// mean square over that of the sine. Errors: those of the transform.
-static bl_status measure(double frequency, double phase, double *strongest, double *energy,
-                         bl_message *message) {
+// mean square over that of the sine.
+static void measure(bl_run *run, double frequency, double phase, double *strongest,
+                    double *energy) {
     const bl_fft_shape shape = {.kind = BL_FFT_REAL,
                                 .precision = BL_FFT_DOUBLE,
                                 .dims = 1,
                                 .size = {SAMPLES},
                                 .threads = 1};
     const bl_fft *plan;
-    bl_status status = bl_fft_plan(&shape, &plan, message);
-    double *buffer = status == BL_OK ? bl_fft_buffer(bl_fft_bytes(&shape)) : NULL;
-    if (status == BL_OK && !buffer)
-        status = bl_report(message, BL_DEVICE, "out of memory");
-    if (status != BL_OK)
-        return status;
+    bl_run_must(run, bl_fft_plan(&shape, &plan, bl_run_message(run)));
+    double *buffer = bl_run_keep(run, bl_fft_buffer(bl_fft_bytes(&shape)), free);
     double window[SAMPLES], most = 0;
     bl_window_fill(BL_WINDOW_BLACKMAN_HARRIS, SAMPLES, window);
     *energy = 0;
@@ -51,11 +47,10 @@ static bl_status measure(double frequency, double phase, double *strongest, doub
             *strongest = (double)k / SAMPLES;
         }
     }
-    free(buffer);
-    return BL_OK;
+    bl_run_release(run, buffer);
 }
 
-static bl_status draw_signal(bl_run *run, bl_message *message) {
+static void draw_signal(bl_run *run) {
     static double x[DRAWN], signal[DRAWN], alias[DRAWN], place[LENGTH + 1], sample[LENGTH + 1];
     for (size_t i = 0; i < DRAWN; i++) {
         x[i] = (double)i / STEPS;
@@ -68,9 +63,8 @@ static bl_status draw_signal(bl_run *run, bl_message *message) {
     }
     const bl_column curves[] = {{"x", x, NULL}, {"signal", signal, NULL}, {"alias", alias, NULL}};
     const bl_column points[] = {{"x", place, NULL}, {"sample", sample, NULL}};
-    bl_status status = bl_run_csv(run, "signal", "a sine and its alias", curves, 3, DRAWN, message);
-    if (status == BL_OK)
-        status = bl_run_csv(run, "samples", "one a unit", points, 2, LENGTH + 1, message);
+    bl_run_csv(run, "signal", "a sine and its alias", curves, 3, DRAWN);
+    bl_run_csv(run, "samples", "one a unit", points, 2, LENGTH + 1);
     const bl_series series[] = {
         {BL_STROKE_LINE, BL_INK_MEASURED, "signal.csv", "x", "signal", NULL, "signal", 0},
         {BL_STROKE_LINE, BL_INK_THEORY, "signal.csv", "x", "alias", NULL, "alias", 0},
@@ -83,12 +77,9 @@ static bl_status draw_signal(bl_run *run, bl_message *message) {
                           .panel_count = 1,
                           .columns = 1,
                           .aspect = 0.35};
-    return status == BL_OK
-               ? bl_run_plot(run, "alias", &plot,
-                             "A fast sine, dots at its samples, and a slow sine through "
-                             "the same dots.",
-                             message)
-               : status;
+    bl_run_plot(run, "alias", &plot,
+                "A fast sine, dots at its samples, and a slow sine through "
+                "the same dots.");
 }
 
 typedef struct folding {
@@ -97,16 +88,14 @@ typedef struct folding {
     double largest_miss, highest, least_energy, most_energy;
 } folding;
 
-static bl_status fold(const bl_run *run, folding *f, bl_message *message) {
+static void fold(bl_run *run, folding *f) {
     bl_random random = bl_random_seed(bl_run_settings(run)->seed, 230);
-    bl_status status = BL_OK;
     *f = (folding){.count = (size_t)bl_run_pick(run, 128, 512, 512), .least_energy = INFINITY};
-    for (size_t i = 0; i < f->count && status == BL_OK; i++) {
+    for (size_t i = 0; i < f->count; i++) {
         double energy = 0;
         f->frequency[i] = 3 * ((double)i + bl_random_unit(&random)) / (double)f->count;
         f->expected[i] = predicted(f->frequency[i]);
-        status = measure(f->frequency[i], 2 * M_PI * bl_random_unit(&random), &f->alias[i], &energy,
-                         message);
+        measure(run, f->frequency[i], 2 * M_PI * bl_random_unit(&random), &f->alias[i], &energy);
         f->largest_miss = fmax(f->largest_miss, fabs(f->alias[i] - f->expected[i]));
         f->highest = fmax(f->highest, f->alias[i]);
         if (f->expected[i] < 8.0 / SAMPLES || f->expected[i] > 0.5 - 8.0 / SAMPLES)
@@ -114,15 +103,13 @@ static bl_status fold(const bl_run *run, folding *f, bl_message *message) {
         f->least_energy = fmin(f->least_energy, energy);
         f->most_energy = fmax(f->most_energy, energy);
     }
-    return status;
 }
 
-static bl_status draw_folding(bl_run *run, const folding *f, bl_message *message) {
+static void draw_folding(bl_run *run, const folding *f) {
     const bl_column columns[] = {{"frequency_cycles_per_sample", f->frequency, NULL},
                                  {"measured_cycles_per_sample", f->alias, NULL},
                                  {"predicted_cycles_per_sample", f->expected, NULL}};
-    bl_status status = bl_run_csv(run, "folding", "sines and where their samples show them",
-                                  columns, 3, f->count, message);
+    bl_run_csv(run, "folding", "sines and where their samples show them", columns, 3, f->count);
     const bl_series series[] = {
         {BL_STROKE_LINE, BL_INK_THEORY, "folding.csv", "frequency_cycles_per_sample",
          "predicted_cycles_per_sample", NULL, "predicted", 0},
@@ -139,29 +126,20 @@ static bl_status draw_folding(bl_run *run, const folding *f, bl_message *message
                           .aspect = 0.4,
                           .limits = limits,
                           .limit_count = 1};
-    return status == BL_OK
-               ? bl_run_plot(
-                     run, "folding", &plot,
-                     "A zigzag between 0 and one half: up with the frequency of the sine to "
-                     "half the sampling rate, down to 0 at the rate, and so on; the "
-                     "measured points lie on it.",
-                     message)
-               : status;
+    bl_run_plot(run, "folding", &plot,
+                "A zigzag between 0 and one half: up with the frequency of the sine to "
+                "half the sampling rate, down to 0 at the rate, and so on; the "
+                "measured points lie on it.");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     folding f;
     double alias = NAN, energy;
     bl_run_setting(run, "sine", bl_run_text(run, "%g cycles per sample", shown));
-    bl_status status = draw_signal(run, message);
-    if (status == BL_OK)
-        status = fold(run, &f, message);
-    if (status == BL_OK)
-        status = draw_folding(run, &f, message);
-    if (status == BL_OK)
-        status = measure(shown, 0, &alias, &energy, message);
-    if (status != BL_OK)
-        return status;
+    draw_signal(run);
+    fold(run, &f);
+    draw_folding(run, &f);
+    measure(run, shown, 0, &alias, &energy);
     const double bin = 1.0 / SAMPLES, waves = (double)f.count;
     bl_make_claim(run, "bandlimit",
                   "A sine of 0.85 cycles per sample shows as its distance from the nearest whole "
@@ -185,7 +163,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         "of their sine.",
         "the same, but for those that fold to within 8 cycles of 0 or of half the rate", "", 0.95,
         1.05, bl_observed(f.least_energy, waves), "sines");
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_30) = {

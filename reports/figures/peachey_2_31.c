@@ -6,13 +6,11 @@
 #include "reports/figures/brick_wall.h"
 #include "reports/figures/estimates.h"
 
-static bl_status draw_widths(bl_run *run, const double *place, const double *width,
-                             bl_message *message) {
+static void draw_widths(bl_run *run, const double *place, const double *width) {
     const bl_wall_row row = {"width_mortars", "point sampled", width, BL_INK_MEASURED};
-    return bl_wall_draw_widths(run, "level joints of the wall, point sampled", place, &row, 1,
-                               "Dots of twenty joints: some at 0, as if there were no mortar, the "
-                               "others at one and a half.",
-                               message);
+    bl_wall_draw_widths(run, "level joints of the wall, point sampled", place, &row, 1,
+                        "Dots of twenty joints: some at 0, as if there were no mortar, the "
+                        "others at one and a half.");
 }
 
 // A joint of 0.64 pixels holds the centre of one pixel, which is drawn whole, or of none.
@@ -24,23 +22,14 @@ static double distance_from_choice(const double *width) {
     return worst;
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     double place[BL_WALL_JOINTS], width[BL_WALL_JOINTS];
-    bl_wall wall;
-    bl_status status = bl_wall_open(run, &wall, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_wall_draw(run, &wall, "point", "brick", "What does a brick wall look like aliased?",
-                          "Two pictures of a brick wall with joints that are missing in places and "
-                          "a whole pixel wide in others, in perspective with false patterns.",
-                          message);
-    if (status == BL_OK)
-        status = bl_wall_widths(&wall, "point", place, width, message);
-    if (status == BL_OK)
-        status = draw_widths(run, place, width, message);
-    bl_wall_close(&wall);
-    if (status != BL_OK)
-        return status;
+    const bl_wall wall = bl_wall_open(run);
+    bl_wall_draw(run, &wall, "point", "brick", "What does a brick wall look like aliased?",
+                 "Two pictures of a brick wall with joints that are missing in places and "
+                 "a whole pixel wide in others, in perspective with false patterns.");
+    bl_wall_widths(run, &wall, "point", place, width);
+    draw_widths(run, place, width);
     bl_make_claim(run, "peachey2003, Methods of Antialiasing Procedural Textures, fig. 2.31",
                   "With few samples the width of the joints appears to vary in different parts of "
                   "the image: its standard deviation.",
@@ -51,7 +40,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                   "distance from the nearer of both.",
                   "the same joints", "thicknesses of the mortar", 0, 1e-9,
                   bl_observed(distance_from_choice(width), BL_WALL_JOINTS), "joints");
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_31) = {

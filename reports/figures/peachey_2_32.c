@@ -24,7 +24,7 @@ static double counted(double x) {
     return (double)ones / COUNTED;
 }
 
-static bl_status draw(bl_run *run, bl_message *message) {
+static void draw(bl_run *run) {
     double x[STEPS + 1], step[STEPS + 1], box[STEPS + 1], ramp[STEPS + 1];
     for (int i = 0; i <= STEPS; i++) {
         x[i] = (double)i / STEPS;
@@ -34,12 +34,10 @@ static bl_status draw(bl_run *run, bl_message *message) {
     }
     const bl_column columns[] = {
         {"x", x, NULL}, {"step", step, NULL}, {"box", box, NULL}, {"boxstep", ramp, NULL}};
-    bl_status status = bl_run_csv(run, "steps",
-                                  "a step, a box and the average of one under the "
-                                  "other",
-                                  columns, 4, STEPS + 1, message);
-    if (status != BL_OK)
-        return status;
+    bl_run_csv(run, "steps",
+               "a step, a box and the average of one under the "
+               "other",
+               columns, 4, STEPS + 1);
     static const char file[] = "steps.csv";
     const bl_series before[] = {
         {BL_STROKE_LINE, BL_INK_PLAIN, file, "x", "step", NULL, "step(b, x)", 0},
@@ -60,11 +58,10 @@ static bl_status draw(bl_run *run, bl_message *message) {
                           .aspect = 0.6,
                           .limits = limits,
                           .limit_count = 2};
-    return bl_run_plot(run, "steps", &plot,
-                       "Left a step from 0 to 1 at b with a box from x to x + w that straddles it; "
-                       "right the average over the box: 0 up to a = b - w, a straight line to 1 at "
-                       "b, and 1 from there on.",
-                       message);
+    bl_run_plot(run, "steps", &plot,
+                "Left a step from 0 to 1 at b with a box from x to x + w that straddles it; "
+                "right the average over the box: 0 up to a = b - w, a straight line to 1 at "
+                "b, and 1 from there on.");
 }
 
 static void claim_shape(bl_run *run) {
@@ -124,13 +121,11 @@ static void claim_alias(bl_run *run) {
                    bl_run_text(run, "%.3g without a filter, %.3g with the box", raw, filtered));
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     bl_run_setting(run, "b, w, x of the box", bl_run_text(run, "%g, %g, %g", edge, width, box_at));
     claim_alias(run);
-    bl_status status = draw(run, message);
-    if (status == BL_OK)
-        claim_shape(run);
-    return status;
+    draw(run);
+    claim_shape(run);
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_32) = {

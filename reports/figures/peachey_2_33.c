@@ -5,8 +5,8 @@
 #include <math.h>
 
 #include "core/random.h"
-#include "filters/summed_area.h"
 #include "reports/figures/estimates.h"
+#include "reports/measure.h"
 
 static const char section[] = "peachey2003, Integrals and Summed-Area Tables";
 
@@ -71,11 +71,10 @@ static void claim_geometry(bl_run *run, const float *values, const bl_summed_are
 
 // --- pictures -----------------------------------------------------------------------------------
 
-static bl_status write_panel(bl_run *run, const char *name, const float *values,
-                             bl_message *message) {
+static void write_panel(bl_run *run, const char *name, const float *values) {
     const bl_image image = {
         .width = SIDE, .height = SIDE, .values = values, .spacing = 1, .black = 0, .white = 1};
-    return bl_run_image(run, name, &image, message);
+    bl_run_image(run, name, &image);
 }
 
 // The box that is shown, and what the rest of the image is dimmed to.
@@ -84,15 +83,13 @@ static const float dimmed = 0.3F;
 
 // The part of the image that an entry sums, that which four entries leave, the table as shares of
 // its last entry, and the image averaged by boxes.
-static bl_status draw(bl_run *run, const float *values, const bl_summed_area *table,
-                      bl_message *message) {
+static void draw(bl_run *run, const float *values, const bl_summed_area *table) {
     static const char *const names[PANELS] = {"entry", "box", "table", "averaged"};
     static const char *const titles[PANELS] = {
         "lit: what the entry (66, 60) sums", "lit: what D + A - B - C leaves",
         "the table, in shares of its last entry", "means over 12 by 12 pixels, read off it"};
     float panel[PANELS][PIXELS];
     bl_panel panels[PANELS] = {0};
-    bl_status status = BL_OK;
     const double size[2] = {box, box}, total = entry(table, SIDE, SIDE);
     for (int n = 0; n < PIXELS; n++) {
         int i = n % SIDE, j = n / SIDE, before = i < RIGHT && j < BOTTOM;
@@ -101,8 +98,8 @@ static bl_status draw(bl_run *run, const float *values, const bl_summed_area *ta
         panel[2][n] = (float)(entry(table, i + 1, j + 1) / total);
         panel[3][n] = (float)(bl_summed_area_mean(table, i + 0.5, j + 0.5, size) / 255);
     }
-    for (int k = 0; k < PANELS && status == BL_OK; k++) {
-        status = write_panel(run, names[k], panel[k], message);
+    for (int k = 0; k < PANELS; k++) {
+        write_panel(run, names[k], panel[k]);
         panels[k].title = titles[k];
         panels[k].image = bl_run_text(run, "%s.png", names[k]);
     }
@@ -117,33 +114,22 @@ static bl_status draw(bl_run *run, const float *values, const bl_summed_area *ta
                           .white = 1,
                           .pixel = 1,
                           .scale_label = "value"};
-    return status == BL_OK
-               ? bl_run_plot(
-                     run, "geometry", &plot,
-                     "Four grey pictures: an image of rings, dark but for the rectangle from "
-                     "the upper left corner to s = 66, t = 60; the same, dark but for the box "
-                     "from 30, 24 to 66, 60; the table, which brightens steadily towards the "
-                     "lower right; and the image averaged by boxes of 12 by 12 pixels, with the "
-                     "fine rings gone grey.",
-                     message)
-               : status;
+    bl_run_plot(run, "geometry", &plot,
+                "Four grey pictures: an image of rings, dark but for the rectangle from "
+                "the upper left corner to s = 66, t = 60; the same, dark but for the box "
+                "from 30, 24 to 66, 60; the table, which brightens steadily towards the "
+                "lower right; and the image averaged by boxes of 12 by 12 pixels, with the "
+                "fine rings gone grey.");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     float values[PIXELS];
-    bl_summed_area *table = NULL;
     bl_run_setting(run, "image", bl_run_text(run, "%d by %d pixels of 8 bits", SIDE, SIDE));
     for (int n = 0; n < PIXELS; n++)
         values[n] = image_at(n % SIDE, n / SIDE);
-    bl_status status =
-        bl_summed_area_make(values, SIDE, SIDE, BL_SUMS_DOUBLE, BL_CLAMPED, &table, message);
-    if (status != BL_OK)
-        return status;
-    status = draw(run, values, table, message);
-    if (status == BL_OK)
-        claim_geometry(run, values, table);
-    bl_summed_area_free(table);
-    return status;
+    const bl_summed_area *table = bl_run_summed_area(run, values, SIDE, BL_SUMS_DOUBLE);
+    draw(run, values, table);
+    claim_geometry(run, values, table);
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_33) = {

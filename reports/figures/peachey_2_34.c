@@ -9,28 +9,20 @@
 static const char *const methods[] = {"point", "integral"};
 enum { POINT, INTEGRAL, METHODS };
 
-static bl_status draw_widths(bl_run *run, const double *place,
-                             double width[METHODS][BL_WALL_JOINTS], bl_message *message) {
+static void draw_widths(bl_run *run, const double *place, double width[METHODS][BL_WALL_JOINTS]) {
     const bl_wall_row rows[METHODS] = {
         {"point_mortars", "point sampled", width[POINT], BL_INK_THEORY},
         {"integral_mortars", "box filtered", width[INTEGRAL], BL_INK_MEASURED}};
-    return bl_wall_draw_widths(run, "level joints of the wall", place, rows, METHODS,
-                               "Dots of twenty joints: point sampled they jump between 0 and one "
-                               "and a half, box filtered all lie at 1.",
-                               message);
+    bl_wall_draw_widths(run, "level joints of the wall", place, rows, METHODS,
+                        "Dots of twenty joints: point sampled they jump between 0 and one "
+                        "and a half, box filtered all lie at 1.");
 }
 
-static bl_status measure(bl_run *run, const bl_wall *wall, const bl_view *view,
-                         bl_alias_result *result, bl_message *message) {
-    bl_alias_settings settings = bl_alias_default_settings();
-    settings.replicates = (unsigned)bl_run_pick(run, 3, 4, 32);
-    settings.finest = (unsigned)bl_run_pick(run, 4, 16, 16);
-    settings.most_samples = (uint32_t)bl_run_pick(run, 32, 64, 1024);
-    settings.frames = 0;
-    settings.rounds = 0;
-    settings.seed = bl_run_settings(run)->seed;
-    settings.threads = bl_run_settings(run)->threads;
-    return bl_alias_measure(wall->brick, view, methods, METHODS, &settings, result, message);
+static const bl_alias_result *measure(bl_run *run, const bl_wall *wall, const bl_view *view) {
+    const bl_alias_settings settings =
+        bl_run_alias_settings(run, bl_run_pick(run, 3, 4, 32), bl_run_pick(run, 4, 16, 16),
+                              bl_run_pick(run, 32, 64, 1024));
+    return bl_run_alias(run, wall->brick, view, methods, METHODS, &settings);
 }
 
 // What is left of the alias, in dB of the aliased.
@@ -42,55 +34,41 @@ static void claim_alias(bl_run *run, const char *reading, const bl_alias_result 
                   "random shifts of the pixels");
 }
 
-static bl_status measure_both(bl_run *run, const bl_wall *wall, bl_message *message) {
-    bl_alias_result flat, plane;
-    bl_status status = measure(run, wall, &wall->flat, &flat, message);
-    if (status != BL_OK)
-        return status;
-    status = measure(run, wall, &wall->perspective, &plane, message);
-    if (status == BL_OK) {
-        double alias[] = {flat.rows[POINT].alias.value, flat.rows[INTEGRAL].alias.value,
-                          plane.rows[POINT].alias.value, plane.rows[INTEGRAL].alias.value};
-        double blur[] = {flat.rows[POINT].blur.value, flat.rows[INTEGRAL].blur.value,
-                         plane.rows[POINT].blur.value, plane.rows[INTEGRAL].blur.value};
-        double mse[] = {flat.rows[POINT].mse.value, flat.rows[INTEGRAL].mse.value,
-                        plane.rows[POINT].mse.value, plane.rows[INTEGRAL].mse.value};
-        const char *const view[] = {"flat", "flat", "plane", "plane"};
-        const char *const filter[] = {"point", "integral", "point", "integral"};
-        const bl_column columns[] = {{"view", NULL, view},
-                                     {"filter", NULL, filter},
-                                     {"alias", alias, NULL},
-                                     {"blur", blur, NULL},
-                                     {"mse", mse, NULL}};
-        status = bl_run_csv(run, "energies", "squares of the luminance", columns, 5, 4, message);
-        claim_alias(run, "the wall straight ahead", &flat);
-        claim_alias(run, "the wall in perspective", &plane);
-        bl_alias_free(&plane);
+static void measure_both(bl_run *run, const bl_wall *wall) {
+    const bl_alias_result *results[] = {measure(run, wall, wall->flat),
+                                        measure(run, wall, wall->perspective)};
+    enum { ROWS = 2 * METHODS };
+    const char *view[ROWS], *filter[ROWS];
+    double alias[ROWS], blur[ROWS], mse[ROWS];
+    for (int i = 0; i < ROWS; i++) {
+        const bl_alias_row *row = &results[i / METHODS]->rows[i % METHODS];
+        view[i] = i < METHODS ? "flat" : "plane";
+        filter[i] = methods[i % METHODS];
+        alias[i] = row->alias.value;
+        blur[i] = row->blur.value;
+        mse[i] = row->mse.value;
     }
-    bl_alias_free(&flat);
-    return status;
+    const bl_column columns[] = {{"view", NULL, view},
+                                 {"filter", NULL, filter},
+                                 {"alias", alias, NULL},
+                                 {"blur", blur, NULL},
+                                 {"mse", mse, NULL}};
+    bl_run_csv(run, "energies", "squares of the luminance", columns, 5, ROWS);
+    claim_alias(run, "the wall straight ahead", results[0]);
+    claim_alias(run, "the wall in perspective", results[1]);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     double place[BL_WALL_JOINTS], width[METHODS][BL_WALL_JOINTS];
-    bl_wall wall;
-    bl_status status = bl_wall_open(run, &wall, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_wall_draw(
-        run, &wall, methods[INTEGRAL], "brick", "What does a brick wall look like box filtered?",
-        "Two pictures of a brick wall with faint, even joints, which fade into an "
-        "even grey in the distance.",
-        message);
-    for (int m = 0; m < METHODS && status == BL_OK; m++)
-        status = bl_wall_widths(&wall, methods[m], place, width[m], message);
-    if (status == BL_OK)
-        status = draw_widths(run, place, width, message);
-    if (status == BL_OK)
-        status = measure_both(run, &wall, message);
-    bl_wall_close(&wall);
-    if (status != BL_OK)
-        return status;
+    const bl_wall wall = bl_wall_open(run);
+    bl_wall_draw(run, &wall, methods[INTEGRAL], "brick",
+                 "What does a brick wall look like box filtered?",
+                 "Two pictures of a brick wall with faint, even joints, which fade into an "
+                 "even grey in the distance.");
+    for (int m = 0; m < METHODS; m++)
+        bl_wall_widths(run, &wall, methods[m], place, width[m]);
+    draw_widths(run, place, width);
+    measure_both(run, &wall);
     double worst = 0;
     for (int k = 0; k < BL_WALL_JOINTS; k++)
         worst = fmax(worst, fabs(width[INTEGRAL][k] - 1));
@@ -106,7 +84,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                   "largest difference of its width from that of the mortar.",
                   "the same joints", "thicknesses of the mortar", 0, 1e-9,
                   bl_observed(worst, BL_WALL_JOINTS), "joints");
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_34) = {

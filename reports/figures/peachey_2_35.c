@@ -8,7 +8,7 @@
 
 enum { CELLS = 20, PER_CELL = 32 };
 
-static bl_status make_graphs(bl_run *run, bl_six *six, bl_message *message) {
+static void make_graphs(bl_run *run, const bl_gallery *six) {
     bl_random random = bl_random_seed(bl_run_settings(run)->seed, 235);
     double y = bl_random_unit(&random), z = bl_random_unit(&random);
     bl_run_setting(run, "line at a random place",
@@ -32,20 +32,13 @@ static bl_status make_graphs(bl_run *run, bl_six *six, bl_message *message) {
         .x_label = "x, lattice cells",
         .columns = 2,
         .aspect = 0.42};
-    bl_gallery gallery = bl_six_gallery(six);
-    return bl_gallery_draw_graphs(run, &gallery, &graphs, message);
+    bl_gallery_draw_graphs(run, six, &graphs);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    bl_six six;
-    bl_status status = bl_six_open(run, &six, message);
-    if (status != BL_OK)
-        return status;
-    status = make_graphs(run, &six, message);
-    if (status == BL_OK)
-        status = bl_six_values_claim(run, &six, message);
-    bl_six_close(&six);
-    return status;
+static void run_figure(bl_run *run) {
+    const bl_gallery six = bl_six_open(run);
+    make_graphs(run, &six);
+    bl_six_values_claim(run, &six);
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_35) = {

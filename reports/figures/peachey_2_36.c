@@ -8,7 +8,7 @@
 
 enum { CELLS = 16, PER_CELL = 16 };
 
-static bl_status make_slices(bl_run *run, bl_six *six, bl_message *message) {
+static void make_slices(bl_run *run, const bl_gallery *six) {
     bl_random random = bl_random_seed(bl_run_settings(run)->seed, 236);
     double z = 0.25 + 0.5 * bl_random_unit(&random); // well between two planes
     bl_run_setting(run, "slice at a random place", bl_run_text(run, "z = %.6f", z));
@@ -19,7 +19,6 @@ static bl_status make_slices(bl_run *run, bl_six *six, bl_message *message) {
                     "%d x %d cells, %d pixels a cell, x to the right, "
                     "y downwards; grey from -1 (black) to 1 (white), beyond them clipped, in PNG",
                     CELLS, CELLS, PER_CELL));
-    bl_gallery gallery = bl_six_gallery(six);
     bl_gallery_slices slices = {
         .name = "random",
         .title = "What do slices between the lattice planes look like?",
@@ -32,7 +31,7 @@ static bl_status make_slices(bl_run *run, bl_six *six, bl_message *message) {
         .black = -1,
         .white = 1,
         .unit = "lattice cells"};
-    bl_status status = bl_gallery_draw_slices(run, &gallery, &slices, message);
+    bl_gallery_draw_slices(run, six, &slices);
     slices.name = "lattice";
     slices.title = "What do slices on a lattice plane look like?";
     slices.alternative =
@@ -40,19 +39,13 @@ static bl_status make_slices(bl_run *run, bl_six *six, bl_message *message) {
         "gradient noise form a grid. Values beyond -1 and 1 are clipped to black "
         "and white.";
     slices.origin[2] = 0;
-    return status == BL_OK ? bl_gallery_draw_slices(run, &gallery, &slices, message) : status;
+    bl_gallery_draw_slices(run, six, &slices);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    bl_six six;
-    bl_status status = bl_six_open(run, &six, message);
-    if (status != BL_OK)
-        return status;
-    status = make_slices(run, &six, message);
-    if (status == BL_OK)
-        status = bl_six_patterns_claim(run, &six, message);
-    bl_six_close(&six);
-    return status;
+static void run_figure(bl_run *run) {
+    const bl_gallery six = bl_six_open(run);
+    make_slices(run, &six);
+    bl_six_patterns_claim(run, &six);
 }
 
 static const bl_term terms[] = {

@@ -4,7 +4,6 @@
 // measurement, and in four readings side by side. Its measurements stand in six_spectra.c, its
 // claims in six_claims.c.
 #include <math.h>
-#include <stdlib.h>
 
 #include "reports/figures/six_spectra.h"
 
@@ -40,32 +39,26 @@ static void fill_columns(const bl_psd *psd, double *columns, size_t count) {
     }
 }
 
-static bl_status write_reading(bl_run *run, const bl_six_spectra *spectra, int reading,
-                               bl_message *message) {
-    const bl_psd *psd = spectra->psd[reading];
-    size_t count = psd[0].count;
-    double *values = malloc(sizeof *values * BL_SIX * KINDS * count);
-    if (!values)
-        return bl_report(message, BL_DEVICE, "out of memory");
+static void write_reading(bl_run *run, const bl_six_spectra *spectra, int reading) {
+    const bl_psd *const *psd = spectra->psd[reading];
+    size_t count = psd[0]->count;
+    double *values = bl_run_memory(run, BL_SIX * KINDS * count, sizeof *values);
     bl_column columns[1 + BL_SIX * KINDS];
     size_t used = 0;
-    columns[used++] = (bl_column){"frequency_cycles_per_cell", psd[0].frequency, NULL};
+    columns[used++] = (bl_column){"frequency_cycles_per_cell", psd[0]->frequency, NULL};
     for (size_t i = 0; i < BL_SIX; i++) {
         double *own = values + i * KINDS * count;
-        fill_columns(&psd[i], own, count);
+        fill_columns(psd[i], own, count);
         for (size_t k = 0; k < KINDS; k++)
-            if (k < THEORY || psd[i].theory)
+            if (k < THEORY || psd[i]->theory)
                 columns[used++] =
                     (bl_column){bl_run_text(run, "%s%s_db", bl_six_names[i], kind_names[k]),
                                 own + k * count, NULL};
     }
-    bl_status status =
-        bl_run_csv(run, bl_run_text(run, "spectra-%s", bl_reading_names[reading]),
-                   bl_run_text(run, "power spectra %s, dB of the total variance per cycle per cell",
-                               bl_reading_words[reading]),
-                   columns, used, count, message);
-    free(values);
-    return status;
+    bl_run_csv(run, bl_run_text(run, "spectra-%s", bl_reading_names[reading]),
+               bl_run_text(run, "power spectra %s, dB of the total variance per cycle per cell",
+                           bl_reading_words[reading]),
+               columns, used, count);
 }
 
 static bl_plot plot_of(const char *title, const bl_panel *panels, const bl_limit *limit) {
@@ -84,13 +77,13 @@ enum { DC = 1 }; // the bins not drawn: its density is not doubled, and the mean
 
 static const bl_limit band_end = {1, 1, "band limit 1"};
 
-static bl_status plot_lines(bl_run *run, const bl_six_spectra *spectra, bl_message *message) {
+static void plot_lines(bl_run *run, const bl_six_spectra *spectra) {
     static const char file[] = "spectra-line.csv", x[] = "frequency_cycles_per_cell";
     bl_series series[BL_SIX][3];
     bl_panel panels[BL_SIX];
     for (int i = 0; i < BL_SIX; i++) {
         const char *name = bl_six_names[i];
-        int theory = spectra->psd[BL_READING_LINE][i].theory != NULL;
+        int theory = spectra->psd[BL_READING_LINE][i]->theory != NULL;
         series[i][0] = (bl_series){BL_STROKE_BAND,
                                    BL_INK_MEASURED,
                                    file,
@@ -114,13 +107,12 @@ static bl_status plot_lines(bl_run *run, const bl_six_spectra *spectra, bl_messa
     }
     const bl_plot plot =
         plot_of("Where in frequency does the power of the six noises lie?", panels, &band_end);
-    return bl_run_plot(
+    bl_run_plot(
         run, "spectra-line", &plot,
         "Six power spectra along a line at a random place, each with its 95 % band and the "
         "closed form, dashed, as the window sees it. All fall steeply towards "
         "frequency 1 and go on in side lobes beyond. On this scale the three lie upon each other; "
-        "the next plot takes the closed form away. Lines begin at the first frequency above 0.",
-        message);
+        "the next plot takes the closed form away. Lines begin at the first frequency above 0.");
 }
 
 // A round number above the reach of nearly all points: four standard errors of the widest band.
@@ -128,7 +120,7 @@ static double error_reach(const bl_six_spectra *spectra, double highest) {
     static const double round_db[] = {0.1, 0.2, 0.4, 0.8, 1.6, 3.2, 6.4};
     double widest = 0;
     for (int i = 0; i < BL_SIX; i++) {
-        const bl_psd *psd = &spectra->psd[BL_READING_LINE][i];
+        const bl_psd *psd = spectra->psd[BL_READING_LINE][i];
         for (size_t b = DC; b < psd->count && psd->frequency[b] <= highest; b++)
             widest = fmax(widest, -db_of(psd->lower[b], psd->psd[b]));
     }
@@ -138,14 +130,14 @@ static double error_reach(const bl_six_spectra *spectra, double highest) {
     return round_db[k];
 }
 
-static bl_status plot_errors(bl_run *run, const bl_six_spectra *spectra, bl_message *message) {
+static void plot_errors(bl_run *run, const bl_six_spectra *spectra) {
     static const char file[] = "spectra-line.csv", x[] = "frequency_cycles_per_cell";
     bl_series series[BL_SIX][2];
     bl_panel panels[BL_SIX];
     size_t panel_count = 0;
     for (int i = 0; i < BL_SIX; i++) {
         const char *name = bl_six_names[i];
-        if (!spectra->psd[BL_READING_LINE][i].theory)
+        if (!spectra->psd[BL_READING_LINE][i]->theory)
             continue;
         series[i][0] = (bl_series){.stroke = BL_STROKE_BAND,
                                    .ink = BL_INK_THEORY,
@@ -165,25 +157,24 @@ static bl_status plot_errors(bl_run *run, const bl_six_spectra *spectra, bl_mess
         panels[panel_count++] = (bl_panel){name, series[i], 2, NULL};
     }
     if (panel_count == 0)
-        return BL_OK;
+        return;
     const bl_limit zero = {0, 0, NULL};
     bl_plot plot = plot_of("Do the measured spectra agree with their closed forms?", panels, &zero);
     double reach = error_reach(spectra, plot.x.to);
     plot.panel_count = panel_count;
     plot.y = (bl_axis){
         .label = "measured minus closed form, dB", .from = -reach, .to = reach, .tick = reach / 2};
-    return bl_run_plot(
+    bl_run_plot(
         run, "errors-line", &plot,
         "Measured minus closed form of the spectra along a line at a random place, a point for "
         "each frequency, over the band in which 95 % of the points belong if the closed form is "
         "true: one point in twenty lies outside of it by chance. Neighbours are alike because of "
         "the "
         "window; and bins a whole cycle apart hold the same lattice numbers, so that the points of "
-        "a value noise repeat with the period 1.",
-        message);
+        "a value noise repeat with the period 1.");
 }
 
-static bl_status plot_readings(bl_run *run, bl_message *message) {
+static void plot_readings(bl_run *run) {
     static const bl_ink inks[BL_READINGS] = {BL_INK_MEASURED, BL_INK_FOURTH, BL_INK_SECOND,
                                              BL_INK_THIRD};
     static const char *const labels[BL_READINGS] = {"line, random place", "line, lattice edge",
@@ -204,7 +195,7 @@ static bl_status plot_readings(bl_run *run, bl_message *message) {
     }
     const bl_plot plot = plot_of("How much do the spectra depend on where and how they are read?",
                                  panels, &band_end);
-    return bl_run_plot(
+    bl_run_plot(
         run, "readings", &plot,
         "The same six noises read in four ways: along a line at a random place, "
         "along a lattice edge, and by radial frequency in a slice and in a volume. "
@@ -212,30 +203,18 @@ static bl_status plot_readings(bl_run *run, bl_message *message) {
         "of the two lines is not seen, it lies under the other. The curves of the volume end at "
         "frequency 2, the highest that its 4 samples a cell hold. In a slice and in a volume the "
         "curve falls towards frequency 0 for a reason of geometry: it is the power on the whole "
-        "ring or shell, whose length grows with the radius and whose area with its square.",
-        message);
+        "ring or shell, whose length grows with the radius and whose area with its square.");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    bl_six six;
-    bl_six_spectra spectra;
-    bl_status status = bl_six_open(run, &six, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_six_spectra_measure(run, &six, &spectra, message);
-    for (int r = 0; r < BL_READINGS && status == BL_OK; r++)
-        status = write_reading(run, &spectra, r, message);
-    if (status == BL_OK)
-        status = plot_lines(run, &spectra, message);
-    if (status == BL_OK)
-        status = plot_errors(run, &spectra, message);
-    if (status == BL_OK)
-        status = plot_readings(run, message);
-    if (status == BL_OK)
-        bl_six_spectra_claim(run, &spectra);
-    bl_six_spectra_free(&spectra);
-    bl_six_close(&six);
-    return status;
+static void run_figure(bl_run *run) {
+    const bl_gallery six = bl_six_open(run);
+    const bl_six_spectra spectra = bl_six_spectra_measure(run, &six);
+    for (int r = 0; r < BL_READINGS; r++)
+        write_reading(run, &spectra, r);
+    plot_lines(run, &spectra);
+    plot_errors(run, &spectra);
+    plot_readings(run);
+    bl_six_spectra_claim(run, &spectra);
 }
 
 static const bl_term terms[] = {

@@ -3,7 +3,6 @@
 // peachey-2.38: slices of fractalsum and turbulence, and what the text says of the absolute value:
 // it doubles the peaks, folds the function at its zeros, and makes the changes sharper.
 #include <math.h>
-#include <stdlib.h>
 
 #include "core/random.h"
 #include "reports/figures/estimates.h"
@@ -17,7 +16,7 @@ static const char section[] = "peachey2003, Spectral Synthesis";
 static const char *const texts[] = {"fractalsum:min=1,max=64", "turbulence:min=1,max=64"};
 enum { FRACTALSUM, TURBULENCE, SUMS };
 
-static bl_status draw(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+static void draw(bl_run *run, const bl_gallery *gallery) {
     bl_random random = bl_random_seed(bl_run_settings(run)->seed, 238);
     double z = 0.25 + 0.5 * bl_random_unit(&random);
     bl_run_setting(
@@ -33,7 +32,7 @@ static bl_status draw(bl_run *run, const bl_gallery *gallery, bl_message *messag
         .length = CELLS,
         .pixels = PIXELS,
         .unit = "cells of the lowest octave"};
-    return bl_gallery_draw_slices(run, gallery, &slices, message);
+    bl_gallery_draw_slices(run, gallery, &slices);
 }
 
 // --- peaks --------------------------------------------------------------------------------------
@@ -60,7 +59,7 @@ static double sharpest(const float *row, size_t count) {
 }
 
 // A number of each of `lines` random lines of both sums, at the same places.
-static void over_lines(const bl_run *run, bl_signal *const signal[SUMS], double step_length,
+static void over_lines(const bl_run *run, const bl_signal *const signal[SUMS], double step_length,
                        size_t lines, double (*number)(const float *row, size_t count),
                        double *out[SUMS]) {
     float row[LINE];
@@ -109,17 +108,11 @@ static double slope_jump(const bl_signal *signal, const bl_signal *basis, bl_ran
     }
 }
 
-static bl_status claim_creases(bl_run *run, double *values, size_t count, bl_message *message) {
-    bl_signal *basis = NULL, *folded = NULL;
-    const bl_reproduce_settings *settings = bl_run_settings(run);
-    const char *seed = bl_run_text(run, "seed=%llu", (unsigned long long)settings->seed);
-    bl_status status = bl_noise_open(bl_run_text(run, "fractalsum:min=1,max=2,%s", seed),
-                                     settings->isa, &basis, message);
-    if (status == BL_OK)
-        status = bl_noise_open(bl_run_text(run, "turbulence:min=1,max=2,%s", seed), settings->isa,
-                               &folded, message);
-    for (int s = 0; s < SUMS && status == BL_OK; s++) {
-        bl_random random = bl_random_seed(settings->seed, 3238);
+static void claim_creases(bl_run *run, double *values, size_t count) {
+    const bl_signal *basis = bl_run_seeded_signal(run, "fractalsum:min=1,max=2");
+    const bl_signal *folded = bl_run_seeded_signal(run, "turbulence:min=1,max=2");
+    for (int s = 0; s < SUMS; s++) {
+        bl_random random = bl_random_seed(bl_run_settings(run)->seed, 3238);
         for (size_t k = 0; k < count; k++)
             values[k] = slope_jump(s == TURBULENCE ? folded : basis, basis, &random);
         // Finite differences of a C1 function over h = 1e-6 leave h times its second derivative.
@@ -133,61 +126,39 @@ static bl_status claim_creases(bl_run *run, double *values, size_t count, bl_mes
                       "per cell", s == TURBULENCE ? 0.1 : 0, s == TURBULENCE ? unlimited : 1e-4,
                       bl_mean_estimate(values, count, 0.95), "zeros along lines");
     }
-    bl_signal_free(basis);
-    bl_signal_free(folded);
-    return status;
 }
 
-static bl_status claim_lines(bl_run *run, bl_message *message) {
+static void claim_lines(bl_run *run) {
     size_t lines = (size_t)bl_run_pick(run, 64, 1024, 65536);
-    double *values = malloc((SUMS + 1) * lines * sizeof *values);
-    if (!values)
-        return bl_report(message, BL_DEVICE, "out of memory");
+    double *values = bl_run_memory(run, (SUMS + 1) * lines, sizeof *values);
     double *own[SUMS] = {values, values + lines};
-    bl_status status = BL_OK;
-    const bl_reproduce_settings *settings = bl_run_settings(run);
-    for (int octaves = 1; octaves <= 6 && status == BL_OK; octaves += 5) {
-        bl_signal *signal[SUMS] = {NULL, NULL};
-        for (int s = 0; s < SUMS && status == BL_OK; s++)
-            status = bl_noise_open(bl_run_text(run, "%s:min=1,max=%d,seed=%llu",
-                                               s ? "turbulence" : "fractalsum", 1 << octaves,
-                                               (unsigned long long)settings->seed),
-                                   settings->isa, &signal[s], message);
-        if (status == BL_OK) {
-            const char *reading = bl_run_text(run, "%d octave%s, along lines at random places",
-                                              octaves, octaves > 1 ? "s" : "");
-            over_lines(run, signal, octaves == 1 ? 1.0 / 64 : 1.0 / 512, lines, count_peaks, own);
-            bl_make_claim(run, section,
-                          "The absolute value doubles the number of peaks, because the troughs "
-                          "become peaks: peaks of turbulence over those of the fractal sum.",
-                          reading, "", 1.9, 2.1,
-                          bl_ratio_estimate(own[TURBULENCE], own[FRACTALSUM], lines, 0.95),
-                          "lines");
-            over_lines(run, signal, octaves == 1 ? 1.0 / 64 : 1.0 / 512, lines, sharpest, own);
-            bl_make_claim(run, section,
-                          "Turbulence has sharper changes in value: the sharpest bend of a line "
-                          "over its mean bend, turbulence against the fractal sum.",
-                          reading, "", 1, unlimited,
-                          bl_ratio_estimate(own[TURBULENCE], own[FRACTALSUM], lines, 0.95),
-                          "lines");
-        }
-        bl_signal_free(signal[0]);
-        bl_signal_free(signal[1]);
+    for (int octaves = 1; octaves <= 6; octaves += 5) {
+        const char *const sums[SUMS] = {bl_run_text(run, "fractalsum:min=1,max=%d", 1 << octaves),
+                                        bl_run_text(run, "turbulence:min=1,max=%d", 1 << octaves)};
+        const bl_signal *const signal[SUMS] = {bl_run_seeded_signal(run, sums[0]),
+                                               bl_run_seeded_signal(run, sums[1])};
+        const char *reading = bl_run_text(run, "%d octave%s, along lines at random places", octaves,
+                                          octaves > 1 ? "s" : "");
+        over_lines(run, signal, octaves == 1 ? 1.0 / 64 : 1.0 / 512, lines, count_peaks, own);
+        bl_make_claim(run, section,
+                      "The absolute value doubles the number of peaks, because the troughs "
+                      "become peaks: peaks of turbulence over those of the fractal sum.",
+                      reading, "", 1.9, 2.1,
+                      bl_ratio_estimate(own[TURBULENCE], own[FRACTALSUM], lines, 0.95), "lines");
+        over_lines(run, signal, octaves == 1 ? 1.0 / 64 : 1.0 / 512, lines, sharpest, own);
+        bl_make_claim(run, section,
+                      "Turbulence has sharper changes in value: the sharpest bend of a line "
+                      "over its mean bend, turbulence against the fractal sum.",
+                      reading, "", 1, unlimited,
+                      bl_ratio_estimate(own[TURBULENCE], own[FRACTALSUM], lines, 0.95), "lines");
     }
-    if (status == BL_OK)
-        status = claim_creases(run, values, lines, message);
-    free(values);
-    return status;
+    claim_creases(run, values, lines);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    bl_gallery gallery;
-    bl_status status = bl_gallery_open(run, texts, SUMS, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    status = draw(run, &gallery, message);
-    bl_gallery_close(&gallery);
-    return status == BL_OK ? claim_lines(run, message) : status;
+static void run_figure(bl_run *run) {
+    const bl_gallery gallery = bl_gallery_open(run, texts, SUMS);
+    draw(run, &gallery);
+    claim_lines(run);
 }
 
 static const bl_term terms[] = {

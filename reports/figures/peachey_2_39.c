@@ -8,7 +8,6 @@
 // density along a line falls as f^-3, by radius in a slice as f^-3 too (density in the plane:
 // f^-4).
 #include <math.h>
-#include <stdlib.h>
 
 #include "reports/figures/estimates.h"
 #include "reports/figures/gallery.h"
@@ -22,12 +21,10 @@ enum { LOWEST = 1, HIGHEST = 64, RATE = 256 };
 // --- the spectra --------------------------------------------------------------------------------
 
 static bl_psd_settings line_settings(const bl_run *run, double averages) {
-    bl_psd_settings s = bl_psd_default_settings(1);
+    bl_psd_settings s = bl_run_psd_settings(run, 1);
     s.rate = RATE;
     s.size = 8192;
     s.averages = (size_t)averages;
-    s.seed = bl_run_settings(run)->seed;
-    s.threads = bl_run_settings(run)->threads;
     return s;
 }
 
@@ -41,10 +38,8 @@ static double slope_of(const bl_psd *psd, int per_octave) {
     int bins = 0;
     double factor = pow(2, per_octave ? 1 : 0.25);
     for (double from = 2; from < 31.9; from *= factor, bins++) {
-        bl_band band = {.from = from, .to = from * factor};
-        bl_psd_band(psd, &band);
         double width = per_octave ? 1 : from * (factor - 1);
-        double x = log2(from), y = log2(band.fraction.value / width);
+        double x = log2(from), y = log2(bl_psd_share(psd, from, from * factor).value / width);
         sum_x += x;
         sum_y += y;
         sum_xx += x * x;
@@ -55,28 +50,22 @@ static double slope_of(const bl_psd *psd, int per_octave) {
 
 enum { FITS = 12 }; // spectra of independent seeds and places, each with its own fit
 
-static bl_status fit(bl_run *run, const bl_signal *signal, bl_estimate slopes[2],
-                     bl_message *message) {
+static void fit(bl_run *run, const bl_signal *signal, bl_estimate slopes[2]) {
     double values[2][FITS];
     bl_psd_settings settings = line_settings(run, bl_run_pick(run, 16, 128, 2048));
     settings.rate = 2 * RATE;
     settings.size = 16384;
     for (int i = 0; i < FITS; i++) {
-        bl_psd psd;
         settings.seed = bl_run_settings(run)->seed + 1000 + (uint64_t)i;
-        bl_status status = bl_psd_measure(signal, &settings, &psd, message);
-        if (status != BL_OK)
-            return status;
+        const bl_psd *psd = bl_run_psd(run, signal, &settings);
         for (int k = 0; k < 2; k++)
-            values[k][i] = slope_of(&psd, k);
-        bl_psd_free(&psd);
+            values[k][i] = slope_of(psd, k);
     }
     for (int k = 0; k < 2; k++)
         slopes[k] = bl_mean_estimate(values[k], FITS, 0.95);
-    return BL_OK;
 }
 
-static bl_status claim_fits(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+static void claim_fits(bl_run *run, const bl_gallery *gallery) {
     static const char sentence[] =
         "Amplitudes that fall as 1/f make the power spectrum fall as 1/f^2: the exponent fitted "
         "from 2 to 32 cycles per unit.";
@@ -84,9 +73,7 @@ static bl_status claim_fits(bl_run *run, const bl_gallery *gallery, bl_message *
     bl_estimate slopes[2][2];
     for (size_t i = 0; i < gallery->count; i++) {
         bl_run_step(run, "fitting the exponent");
-        bl_status status = fit(run, gallery->signal[i], slopes[i], message);
-        if (status != BL_OK)
-            return status;
+        fit(run, gallery->signal[i], slopes[i]);
     }
     for (size_t n = 0; n < 4; n++)
         bl_make_claim(run, section, sentence,
@@ -98,19 +85,13 @@ static bl_status claim_fits(bl_run *run, const bl_gallery *gallery, bl_message *
         "along a line falls as f^-3: the exponent fitted.",
         bl_run_text(run, "%s, %s", gallery->label[0], of[0]), "", -3.15, -2.85, slopes[0][0],
         "fits");
-    return BL_OK;
 }
 
 // Eleven octaves, of which four are fitted.
-static bl_status claim_slopes(bl_run *run, bl_message *message) {
+static void claim_slopes(bl_run *run) {
     static const char *const wide[] = {"fractalsum:min=1/4,max=512", "turbulence:min=1/4,max=512"};
-    bl_gallery gallery;
-    bl_status status = bl_gallery_open(run, wide, 2, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    status = claim_fits(run, &gallery, message);
-    bl_gallery_close(&gallery);
-    return status;
+    const bl_gallery gallery = bl_gallery_open(run, wide, 2);
+    claim_fits(run, &gallery);
 }
 
 // --- clamping -----------------------------------------------------------------------------------
@@ -121,34 +102,21 @@ static const char *const way_settings[WAYS] = {"", ",clamp=hard,width=0.08",
                                                ",clamp=fade,width=0.08"};
 #define NYQUIST 6.25 // of samples 0.08 apart
 
-static bl_status claim_clamping(bl_run *run, bl_message *message) {
+static void claim_clamping(bl_run *run) {
     static const char *const names[] = {"fractalsum", "turbulence"};
-    const bl_reproduce_settings *settings = bl_run_settings(run);
     bl_psd_settings line = line_settings(run, bl_run_pick(run, 64, 512, 8192));
     bl_run_setting(run, "clamping",
                    "to samples 0.08 apart, whose Nyquist frequency is 6.25 cycles per unit");
     for (int n = 0; n < 2; n++) {
         bl_estimate share[WAYS], mean[WAYS];
         for (int w = 0; w < WAYS; w++) {
-            bl_signal *signal = NULL;
-            bl_psd psd;
             bl_run_step(run, bl_run_text(run, "clamping %s", names[n]));
-            bl_status status = bl_noise_open(
-                bl_run_text(run, "%s:min=%d,max=%d,seed=%llu%s", names[n], LOWEST, HIGHEST,
-                            (unsigned long long)settings->seed, way_settings[w]),
-                settings->isa, &signal, message);
-            if (status == BL_OK)
-                status = bl_psd_measure(signal, &line, &psd, message);
-            bl_signal_free(signal);
-            if (status != BL_OK)
-                return status;
-            bl_band above = {.from = NYQUIST, .to = INFINITY};
-            bl_psd_band(&psd, &above);
-            share[w] = above.fraction;
-            double deviation = sqrt(psd.variance.value);
-            mean[w] = (bl_estimate){psd.mean / deviation, psd.mean / deviation,
-                                    psd.mean / deviation, 0, psd.variance.samples};
-            bl_psd_free(&psd);
+            const bl_signal *signal =
+                bl_run_seeded_signal(run, bl_run_text(run, "%s:min=%d,max=%d%s", names[n], LOWEST,
+                                                      HIGHEST, way_settings[w]));
+            const bl_psd *psd = bl_run_psd(run, signal, &line);
+            share[w] = bl_psd_share(psd, NYQUIST, INFINITY);
+            mean[w] = bl_observed(psd->mean / sqrt(psd->variance.value), psd->variance.samples);
         }
         for (int w = HARD; w < WAYS; w++)
             bl_make_claim(run, section,
@@ -164,21 +132,19 @@ static bl_status claim_clamping(bl_run *run, bl_message *message) {
                           bl_observed(mean[w].value - mean[PLAIN].value, mean[w].samples),
                           "averages");
     }
-    return BL_OK;
 }
 
 // --- the figure ---------------------------------------------------------------------------------
 
-static bl_status draw(bl_run *run, const bl_gallery *gallery, bl_message *message) {
+static void draw(bl_run *run, const bl_gallery *gallery) {
     bl_psd_settings settings = line_settings(run, bl_run_pick(run, 64, 1024, 16384));
     bl_run_setting(run, "spectra along a line at a random place",
                    bl_run_text(run,
                                "%zu averages of %zu samples, %g a unit; a fresh place and a "
                                "fresh seed for each",
                                settings.averages, settings.size, settings.rate));
-    bl_gallery_spectra spectra;
-    bl_status status =
-        bl_gallery_measure_spectra(run, gallery, &settings, "along a line", &spectra, message);
+    const bl_gallery_spectra spectra =
+        bl_gallery_measure_spectra(run, gallery, &settings, "along a line");
     const bl_gallery_spectrum_plot plot = {
         .name = "line",
         .title = "How fast does the power of the two sums decline?",
@@ -197,13 +163,10 @@ static bl_status draw(bl_run *run, const bl_gallery *gallery, bl_message *messag
         .limit = NYQUIST,
         .limit_label = "Nyquist of width 0.08",
         .x_label = "frequency, cycles per unit"};
-    if (status == BL_OK)
-        status = bl_gallery_draw_spectra(run, gallery, &spectra, &plot, message);
-    bl_gallery_free_spectra(&spectra);
-    return status;
+    bl_gallery_draw_spectra(run, gallery, &spectra, &plot);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const char *const texts[] = {"fractalsum:min=1,max=64",
                                         "turbulence:min=1,max=64",
                                         "fractalsum:max=64,clamp=hard,width=0.08",
@@ -216,17 +179,11 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                                          "turbulence, hard cutoff",
                                          "fractalsum, faded",
                                          "turbulence, faded"};
-    bl_gallery gallery;
-    bl_status status = bl_gallery_open(run, texts, 6, &gallery, message);
-    if (status != BL_OK)
-        return status;
-    bl_gallery labelled = gallery;
-    labelled.label = labels;
-    status = draw(run, &labelled, message);
-    bl_gallery_close(&gallery);
-    if (status == BL_OK)
-        status = claim_slopes(run, message);
-    return status == BL_OK ? claim_clamping(run, message) : status;
+    bl_gallery gallery = bl_gallery_open(run, texts, 6);
+    gallery.label = labels;
+    draw(run, &gallery);
+    claim_slopes(run);
+    claim_clamping(run);
 }
 
 static const bl_term terms[] = {

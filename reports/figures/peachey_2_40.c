@@ -72,17 +72,15 @@ static void claim_all(bl_run *run, bl_signal *const marble[4]) {
                   bl_exactly(bl_signal_filtered(marble[3], at, far) / mean - 1, 1), "place");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const char *const texts[] = {"marble", "marble:filter=clamp", "marble:filter=fade",
                                         "marble:filter=map"};
     static const char *const titles[] = {"blue marble", "points, few pixels", "clamp, few pixels",
                                          "fade, few pixels", "map, few pixels"};
     static const char *const keys[] = {"marble", "points", "clamp", "fade", "map"};
-    bl_signal *marble[4] = {NULL};
+    bl_signal *marble[4];
     bl_shown shown[5];
-    bl_status status = BL_OK;
-    for (int i = 0; i < 4 && status == BL_OK; i++)
-        status = bl_pictures_open(texts[i], &marble[i], message);
+    bl_run_signals(run, texts, 4, marble);
     for (int i = 0; i < 5; i++)
         shown[i] = (bl_shown){.key = keys[i],
                               .title = titles[i],
@@ -103,13 +101,8 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .columns = 3,
         .pixels = 32 * (unsigned)bl_run_pick(run, 5, 9, 32),
         .unit = "pictures of 2 units"};
-    if (status == BL_OK)
-        status = bl_pictures_draw(run, &pictures, message);
-    if (status == BL_OK)
-        claim_all(run, marble);
-    for (int i = 0; i < 4; i++)
-        bl_signal_free(marble[i]);
-    return status;
+    bl_pictures_draw(run, &pictures);
+    claim_all(run, marble);
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_40) = {

@@ -10,10 +10,13 @@
 #include "reports/figures/pictures.h"
 #include "textures/texture.h"
 
+static void release_signal(void *signal) {
+    bl_signal_free(signal);
+}
+
 // The texture `image` of the picture that stands in the folder of the figure. The path may hold
 // what the grammar would split, so the setting is handed over as it is.
-static bl_status open_picture(bl_run *run, const char *amount, bl_signal **signal,
-                              bl_message *message) {
+static const bl_signal *open_picture(bl_run *run, const char *amount) {
     const char *path =
         bl_run_text(run, "%s/peachey-2.41/original.exr", bl_run_settings(run)->folder);
     char path_key[] = "path", amount_key[] = "amount",
@@ -21,7 +24,10 @@ static bl_status open_picture(bl_run *run, const char *amount, bl_signal **signa
     bl_setting settings[] = {{.key = path_key, .value = (char *)path},
                              {.key = amount_key, .value = (char *)amount}};
     const bl_spec spec = {.name = name, .settings = settings, .count = 2};
-    return bl_definition_open(bl_texture_find("image"), &spec, "image", signal, message);
+    bl_signal *signal = NULL;
+    bl_run_must(run, bl_definition_open(bl_texture_find("image"), &spec, "image", &signal,
+                                        bl_run_message(run)));
+    return bl_run_keep(run, signal, release_signal);
 }
 
 // The root mean square of the shift along s, in units.
@@ -60,12 +66,9 @@ static double lookup_error(const bl_signal *picture, const bl_signal *source, un
     return most;
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     unsigned pixels = (unsigned)bl_run_pick(run, 128, 256, 1024);
-    bl_signal *source, *noise = NULL, *plain = NULL, *moved = NULL;
-    bl_status status = bl_pictures_open("checkerboard:size=1/8", &source, message);
-    if (status != BL_OK)
-        return status;
+    bl_signal *source = bl_run_signal(run, "checkerboard:size=1/8");
     const bl_shown first[] = {
         {.key = "original", .title = "original", .signal = source, .at = {0.5, 0.5}, .scale = 1}};
     bl_pictures pictures = {.name = "original-alone",
@@ -76,13 +79,9 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                             .columns = 2,
                             .pixels = pixels,
                             .unit = "units"};
-    status = bl_pictures_draw(run, &pictures, message);
-    if (status == BL_OK)
-        status = open_picture(run, "0", &plain, message);
-    if (status == BL_OK)
-        status = open_picture(run, "0.2", &moved, message);
-    if (status == BL_OK)
-        status = bl_pictures_open("gnoise", &noise, message);
+    bl_pictures_draw(run, &pictures);
+    const bl_signal *plain = open_picture(run, "0"), *moved = open_picture(run, "0.2");
+    bl_signal *noise = bl_run_signal(run, "gnoise");
     // The picture spans t upwards and panels run downwards: the perturbed one is shown from below.
     const bl_shown both[] = {{.key = "lookup",
                               .title = "original, looked up",
@@ -108,28 +107,19 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                              .columns = 2,
                              .pixels = pixels,
                              .unit = "units"};
-    if (status == BL_OK)
-        status = bl_pictures_draw(run, &pictures, message);
-    if (status == BL_OK) {
-        double deviation = 0.2 * sqrt(noise->facts.variance);
-        bl_make_claim(
-            run, "peachey2003, Perturbed Image Textures",
-            "0.2 times a noise modifies the coordinates slightly: the root mean square of "
-            "the shift is what the noise's stated variance makes of it.",
-            "gnoise", "units", 0.98 * deviation, 1.02 * deviation, shift_of(run, noise),
-            "batches of places");
-        bl_make_claim(
-            run, "bandlimit",
-            "A lookup without perturbation gives back the picture: the largest difference "
-            "at the middles of texels.",
-            "linear colour", "", 0, 2e-5,
-            bl_observed(lookup_error(plain, source, pixels), pixels * pixels / 15.0), "texels");
-    }
-    bl_signal_free(source);
-    bl_signal_free(noise);
-    bl_signal_free(plain);
-    bl_signal_free(moved);
-    return status;
+    bl_pictures_draw(run, &pictures);
+    double deviation = 0.2 * sqrt(noise->facts.variance);
+    bl_make_claim(run, "peachey2003, Perturbed Image Textures",
+                  "0.2 times a noise modifies the coordinates slightly: the root mean square of "
+                  "the shift is what the noise's stated variance makes of it.",
+                  "gnoise", "units", 0.98 * deviation, 1.02 * deviation, shift_of(run, noise),
+                  "batches of places");
+    bl_make_claim(run, "bandlimit",
+                  "A lookup without perturbation gives back the picture: the largest difference "
+                  "at the middles of texels.",
+                  "linear colour", "", 0, 2e-5,
+                  bl_observed(lookup_error(plain, source, pixels), pixels * pixels / 15.0),
+                  "texels");
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_41) = {

@@ -33,19 +33,16 @@ static double wrong_share(const bl_signal *form, const bl_signal *right, int cel
     return wrong / all;
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const char *const texts[] = {"wallpaper", "wallpaper:form=printed",
                                         "wallpaper:cells=one"};
     static const char *const titles[] = {"corrected", "as printed", "one cell"};
     static const char *const keys[] = {"corrected", "printed", "one-cell"};
-    bl_signal *paper[3] = {NULL};
+    bl_signal *paper[3];
     bl_shown shown[6];
     double where[2] = {0.5, 0.5}, looked = 0, wrong = 0;
-    bl_status status = BL_OK;
-    for (int i = 0; i < 3 && status == BL_OK; i++)
-        status = bl_pictures_open(texts[i], &paper[i], message);
-    if (status == BL_OK)
-        wrong = wrong_share(paper[1], paper[0], (int)bl_run_pick(run, 12, 48, 256), where, &looked);
+    bl_run_signals(run, texts, 3, paper);
+    wrong = wrong_share(paper[1], paper[0], (int)bl_run_pick(run, 12, 48, 256), where, &looked);
     for (int i = 0; i < 6; i++)
         shown[i] =
             (bl_shown){.key = bl_run_text(run, "%s%s", keys[i % 3], i < 3 ? "" : "-near"),
@@ -66,19 +63,12 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .columns = 3,
         .pixels = (unsigned)bl_run_pick(run, 128, 320, 1024),
         .unit = "pictures of 1 and 0.12 units"};
-    if (status == BL_OK)
-        status = bl_pictures_draw(run, &pictures, message);
-    if (status == BL_OK) {
-        bl_make_claim(
-            run, "peachey2003, Random Placement Patterns",
-            "With the tests of the eight cells around, stars that cross an edge are rendered "
-            "correctly: the share of the stars' area that the printed listing gets wrong.",
-            "against the listing with the presence of the visited cell", "of the area", 0, 1e-9,
-            bl_exactly(wrong, looked), "points");
-    }
-    for (int i = 0; i < 3; i++)
-        bl_signal_free(paper[i]);
-    return status;
+    bl_pictures_draw(run, &pictures);
+    bl_make_claim(run, "peachey2003, Random Placement Patterns",
+                  "With the tests of the eight cells around, stars that cross an edge are rendered "
+                  "correctly: the share of the stars' area that the printed listing gets wrong.",
+                  "against the listing with the presence of the visited cell", "of the area", 0,
+                  1e-9, bl_exactly(wrong, looked), "points");
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_42) = {

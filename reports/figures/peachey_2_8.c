@@ -19,7 +19,7 @@ static double step_less_comparison(const bl_gallery *g, double x) {
     return bl_curves_at(g, STEP, x) - (x >= 1);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const bl_curve curves[] = {
         {"step:edge=1", "step at a = 1", BL_INK_MEASURED, BL_STROKE_LINE},
         {"step:edge=1,width=0.5", "averaged over 1/2", BL_INK_THEORY, BL_STROKE_THIN},
@@ -33,10 +33,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .count = 3,
         .x = {"x", 0, 2, 0.5, 0},
         .y = {"value", -0.1, 1.1, 0.5, 0}};
-    bl_gallery gallery;
-    bl_status status = bl_curves_draw(run, &plot, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 27",
                     "The step is 0 below its edge, and 1 from the edge itself on: the largest "
                     "difference from that.",
@@ -47,8 +44,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                     "difference from the mean of 10000 samples is at most one sample.",
                     "width 1/2, from 0 to 2", 1.0 / 10000 + 1e-12,
                     bl_curves_largest(average_less_samples, &gallery, 0, 2));
-    bl_gallery_close(&gallery);
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_8) = {

@@ -21,7 +21,7 @@ static double area(const bl_gallery *g, size_t index) {
     return sum;
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     static const bl_curve curves[] = {
         {"pulse:low=0.5,high=1.5,period=inf", "pulse", BL_INK_MEASURED, BL_STROKE_LINE},
         {"pulse:low=0.5,high=1.5,period=inf,width=0.5", "averaged over 1/2", BL_INK_THEORY,
@@ -40,10 +40,7 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
         .count = 5,
         .x = {"x", -0.5, 2.5, 0.5, 0},
         .y = {"value", -0.1, 1.1, 0.5, 0}};
-    bl_gallery gallery;
-    bl_status status = bl_curves_draw(run, &plot, &gallery, message);
-    if (status != BL_OK)
-        return status;
+    const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 27",
                     "A pulse is the difference of two steps: the largest deviation.",
                     "from -1 to 3", 0, bl_curves_largest(pulse_less_steps, &gallery, -1, 3));
@@ -51,8 +48,6 @@ static bl_status run_figure(bl_run *run, bl_message *message) {
                     "No width changes the area of the pulse: the largest deviation from b - a.",
                     "widths 1/2 and 2, by the trapezoidal rule between their corners", 1e-12,
                     fmax(fabs(area(&gallery, NARROW) - 1), fabs(area(&gallery, WIDE) - 1)));
-    bl_gallery_close(&gallery);
-    return BL_OK;
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_9) = {

@@ -2,15 +2,9 @@
 #include "reports/figures/pictures.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/grid.h"
-#include "sources/source.h"
-
-bl_status bl_pictures_open(const char *text, bl_signal **signal, bl_message *message) {
-    return bl_source_open(text, BL_ISA_BEST, signal, message);
-}
 
 // The place of the panel at (x, y), in pictures from its upper left corner; 0 for the background.
 static int place_of(const bl_shown *shown, int upwards, double x, double y, double at[BL_AXES]) {
@@ -41,48 +35,32 @@ static void draw_pixel(const bl_shown *shown, const bl_signal *signal, int upwar
 }
 
 // All panels of a plot have the same numbers of pixels: coarse ones are drawn as squares.
-static bl_status draw_one(bl_run *run, const bl_shown *shown, unsigned full, int upwards,
-                          bl_message *message) {
-    bl_signal *opened = NULL;
-    bl_status status = BL_OK;
+static void draw_one(bl_run *run, const bl_shown *shown, unsigned full, int upwards) {
+    const bl_signal *signal = shown->signal ? shown->signal : bl_run_signal(run, shown->text);
     unsigned pixels = shown->pixels ? shown->pixels : full, times = full / pixels;
-    if (!shown->signal)
-        status = bl_pictures_open(shown->text, &opened, message);
-    if (status != BL_OK)
-        return status;
-    const bl_signal *signal = shown->signal ? shown->signal : opened;
-    float *values = calloc((size_t)full * full * 3, sizeof *values);
-    if (values) {
+    float *values = bl_run_memory(run, (size_t)full * full * 3, sizeof *values);
 #pragma omp parallel for num_threads(bl_thread_count(bl_run_settings(run)->threads))               \
     schedule(dynamic, 4)
-        for (size_t j = 0; j < full; j++)
-            for (size_t i = 0; i < full; i++)
-                draw_pixel(shown, signal, upwards, pixels, i / times, j / times,
-                           values + 3 * (full * j + i));
-        const bl_attribute attribute = {"bandlimit:signal",
-                                        shown->text ? shown->text : signal->text};
-        const bl_image image = {.width = full,
-                                .height = full,
-                                .channels = 3,
-                                .values = values,
-                                .spacing = shown->scale / full,
-                                .white = 1,
-                                .srgb = 1,
-                                .attributes = &attribute,
-                                .attribute_count = 1};
-        status = bl_run_image(run, shown->key, &image, message);
-    } else {
-        status = bl_report(message, BL_DEVICE, "out of memory");
-    }
-    free(values);
-    bl_signal_free(opened);
-    return status;
+    for (size_t j = 0; j < full; j++)
+        for (size_t i = 0; i < full; i++)
+            draw_pixel(shown, signal, upwards, pixels, i / times, j / times,
+                       values + 3 * (full * j + i));
+    const bl_attribute attribute = {"bandlimit:signal", shown->text ? shown->text : signal->text};
+    const bl_image image = {.width = full,
+                            .height = full,
+                            .channels = 3,
+                            .values = values,
+                            .spacing = shown->scale / full,
+                            .white = 1,
+                            .srgb = 1,
+                            .attributes = &attribute,
+                            .attribute_count = 1};
+    bl_run_image(run, shown->key, &image);
+    bl_run_release(run, values);
 }
 
-static bl_status plot_all(bl_run *run, const bl_pictures *pictures, bl_message *message) {
-    bl_panel *panels = calloc(pictures->count, sizeof *panels);
-    if (!panels)
-        return bl_report(message, BL_DEVICE, "out of memory");
+static void plot_all(bl_run *run, const bl_pictures *pictures) {
+    bl_panel *panels = bl_run_memory(run, pictures->count, sizeof *panels);
     for (size_t i = 0; i < pictures->count; i++)
         panels[i] = (bl_panel){.title = pictures->shown[i].title,
                                .image = bl_run_text(run, "%s.png", pictures->shown[i].key)};
@@ -97,19 +75,16 @@ static bl_status plot_all(bl_run *run, const bl_pictures *pictures, bl_message *
         .aspect = 1,
         .coloured = 1,
         .pixel = 1.0 / pictures->pixels};
-    bl_status status = bl_run_plot(run, pictures->name, &plot, pictures->alternative, message);
-    free(panels);
-    return status;
+    bl_run_plot(run, pictures->name, &plot, pictures->alternative);
 }
 
-bl_status bl_pictures_draw(bl_run *run, const bl_pictures *pictures, bl_message *message) {
-    bl_status status = BL_OK;
+void bl_pictures_draw(bl_run *run, const bl_pictures *pictures) {
     bl_run_step(run, "pictures");
-    for (size_t i = 0; i < pictures->count && status == BL_OK; i++) {
+    for (size_t i = 0; i < pictures->count; i++) {
         const bl_shown *shown = &pictures->shown[i];
         bl_run_setting(run, bl_run_text(run, "picture %s", shown->key),
                        shown->text ? shown->text : shown->signal->text);
-        status = draw_one(run, shown, pictures->pixels, pictures->upwards, message);
+        draw_one(run, shown, pictures->pixels, pictures->upwards);
     }
-    return status == BL_OK ? plot_all(run, pictures, message) : status;
+    plot_all(run, pictures);
 }

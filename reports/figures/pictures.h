@@ -4,8 +4,7 @@
 #ifndef BL_REPORTS_FIGURES_PICTURES_H
 #define BL_REPORTS_FIGURES_PICTURES_H
 
-#include "core/signal.h"
-#include "reports/run.h"
+#include "reports/measure.h"
 
 // One panel. Its places are those of a square about `at`, s to the right and t downwards as in the
 // text's pictures, unless `see` says what stands at (x, y) in [-1, 1] (y upwards): it fills the
@@ -34,11 +33,7 @@ typedef struct bl_pictures {
     const char *unit; // of the axes, which run from 0 to 1 picture
 } bl_pictures;
 
-// Writes KEY.exr (linear) and KEY.png (sRGB) for each and the plot of all. Errors: those of opening
-// a signal and of writing files.
-bl_status bl_pictures_draw(bl_run *run, const bl_pictures *pictures, bl_message *message);
-
-// Opens a texture for a figure, by its text. The caller frees it with bl_signal_free.
-bl_status bl_pictures_open(const char *text, bl_signal **signal, bl_message *message);
+// Writes KEY.exr (linear) and KEY.png (sRGB) for each and the plot of all.
+void bl_pictures_draw(bl_run *run, const bl_pictures *pictures);
 
 #endif

@@ -8,7 +8,6 @@
 // and 2^-24 (...) in float.
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "core/random.h"
 #include "filters/pulse_train.h"
@@ -94,7 +93,7 @@ static void measure(bl_run *run, errors *e) {
 
 // --- the plot -----------------------------------------------------------------------------------
 
-static bl_status draw(bl_run *run, const errors *e, bl_message *message) {
+static void draw(bl_run *run, const errors *e) {
     static const char *const names[] = {"phases_db", "difference_db", "difference_in_float_db",
                                         "law_db", "law_of_floats_db"};
     static const char *const labels[] = {"by phases", "difference", "difference in float",
@@ -121,10 +120,10 @@ static bl_status draw(bl_run *run, const errors *e, bl_message *message) {
                                 labels[k],
                                 0};
     }
-    bl_status status = bl_run_csv(run, "errors",
-                                  "largest error of the average of a pulse train, in dB of 1, and "
-                                  "the law of it",
-                                  columns, 6, EXPONENTS, message);
+    bl_run_csv(run, "errors",
+               "largest error of the average of a pulse train, in dB of 1, and "
+               "the law of it",
+               columns, 6, EXPONENTS);
     const bl_panel panels[] = {{"averages over 1/4 to 8 periods", series, 5, NULL}};
     const bl_limit limits[] = {{0, -48.13, "1/255"}};
     const bl_plot plot = {
@@ -137,14 +136,11 @@ static bl_status draw(bl_run *run, const errors *e, bl_message *message) {
         .aspect = 0.5,
         .limits = limits,
         .limit_count = 1};
-    return status == BL_OK
-               ? bl_run_plot(run, "errors", &plot,
-                             "Largest error in decibels over the distance from the origin in "
-                             "powers of two. The difference of integrals rises by 6 dB for each "
-                             "doubling, along its law, in float from about -120 dB at the origin; "
-                             "the average by phases stays at about -300 dB.",
-                             message)
-               : status;
+    bl_run_plot(run, "errors", &plot,
+                "Largest error in decibels over the distance from the origin in "
+                "powers of two. The difference of integrals rises by 6 dB for each "
+                "doubling, along its law, in float from about -120 dB at the origin; "
+                "the average by phases stays at about -300 dB.");
 }
 
 // --- claims -------------------------------------------------------------------------------------
@@ -193,17 +189,12 @@ static void claim(bl_run *run, const errors *e) {
                   bl_observed(255 * e->worst[FLOATED][13], (double)e->pulses), "pulses");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    errors *e = calloc(1, sizeof *e);
-    if (!e)
-        return bl_report(message, BL_DEVICE, "out of memory");
+static void run_figure(bl_run *run) {
+    errors *e = bl_run_memory(run, 1, sizeof *e);
     measure(run, e);
     bl_run_setting(run, "pulses", bl_run_text(run, "%zu at each distance", e->pulses));
-    bl_status status = draw(run, e, message);
-    if (status == BL_OK)
-        claim(run, e);
-    free(e);
-    return status;
+    draw(run, e);
+    claim(run, e);
 }
 
 BL_FIGURE_DESCRIPTOR(pulse_far) = {

@@ -9,7 +9,6 @@
 #include "reports/figures/six_patterns.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "reports/figures/lattice_contrast.h"
@@ -69,17 +68,15 @@ static void claim_contrasts(bl_run *run, const contrasts *c) {
                       bl_mean_estimate(c->values[p][BL_SCNOISE], c->repeats, 0.95), pairs);
 }
 
-static bl_status claim_contrast(bl_run *run, const bl_six *six, double between[BL_SIX],
-                                double on_plane[BL_SIX], bl_message *message) {
+static void claim_contrast(bl_run *run, const bl_gallery *six, double between[BL_SIX],
+                           double on_plane[BL_SIX]) {
     contrasts c = {.repeats = (size_t)bl_run_pick(run, 16, 32, 64)};
     size_t cells = (size_t)bl_run_pick(run, 128, 1000, 20000);
     c.limit = stationary_limit((double)c.repeats, (double)cells);
     bl_run_setting(run, "lattice contrast",
                    bl_run_text(run, "%d x %d places in the cell, %zu pairs of %zu random cells",
                                BL_CONTRAST_PHASES, BL_CONTRAST_PHASES, c.repeats, cells));
-    double *all = malloc(sizeof *all * c.repeats * (2 * BL_SIX + 1));
-    if (!all)
-        return bl_report(message, BL_DEVICE, "out of memory");
+    double *all = bl_run_memory(run, c.repeats * (2 * BL_SIX + 1), sizeof *all);
     c.difference = all + 2 * BL_SIX * c.repeats;
     for (int p = 0; p < 2; p++) {
         bl_run_step(run, bl_run_text(run, "lattice contrast, %s", slice_words[p]));
@@ -91,8 +88,6 @@ static bl_status claim_contrast(bl_run *run, const bl_six *six, double between[B
         }
     }
     claim_contrasts(run, &c);
-    free(all);
-    return BL_OK;
 }
 
 // --- ring anisotropy ----------------------------------------------------------------------------
@@ -112,37 +107,28 @@ static double mean_anisotropy(const bl_psd *psd) {
 
 enum { ANISOTROPY_REPEATS = 6 };
 
-static bl_status measure_anisotropy(bl_run *run, const bl_signal *signal,
-                                    double out[ANISOTROPY_REPEATS], bl_message *message) {
-    bl_psd_settings settings = bl_psd_default_settings(2);
+static void measure_anisotropy(bl_run *run, const bl_signal *signal,
+                               double out[ANISOTROPY_REPEATS]) {
+    bl_psd_settings settings = bl_run_psd_settings(run, 2);
     settings.rate = 8;
     settings.size = (size_t)bl_run_pick(run, 128, 256, 512);
     settings.averages = (size_t)bl_run_pick(run, 2, 16, 256);
     settings.axis[2] = 1;
-    settings.threads = bl_run_settings(run)->threads;
     for (int r = 0; r < ANISOTROPY_REPEATS; r++) {
-        bl_psd psd;
         settings.seed = bl_run_settings(run)->seed + 100 + (uint64_t)r;
-        bl_status status = bl_psd_measure(signal, &settings, &psd, message);
-        if (status != BL_OK)
-            return status;
-        out[r] = mean_anisotropy(&psd);
-        bl_psd_free(&psd);
+        const bl_psd *psd = bl_run_psd(run, signal, &settings);
+        out[r] = mean_anisotropy(psd);
     }
-    return BL_OK;
 }
 
-static bl_status claim_anisotropy(bl_run *run, const bl_six *six, double *mean,
-                                  bl_message *message) {
+static void claim_anisotropy(bl_run *run, const bl_gallery *six, double *mean) {
     double values[BL_SIX][ANISOTROPY_REPEATS], difference[ANISOTROPY_REPEATS];
-    bl_status status = BL_OK;
     bl_run_step(run, "ring anisotropy");
-    for (int i = 0; i < BL_SIX && status == BL_OK; i++) {
-        status = measure_anisotropy(run, six->signal[i], values[i], message);
-        if (status == BL_OK)
-            mean[i] = bl_mean_estimate(values[i], ANISOTROPY_REPEATS, 0.95).value;
+    for (int i = 0; i < BL_SIX; i++) {
+        measure_anisotropy(run, six->signal[i], values[i]);
+        mean[i] = bl_mean_estimate(values[i], ANISOTROPY_REPEATS, 0.95).value;
     }
-    for (int i = 0; i < BL_SCNOISE && status == BL_OK; i++) {
+    for (int i = 0; i < BL_SCNOISE; i++) {
         for (int r = 0; r < ANISOTROPY_REPEATS; r++)
             difference[r] = values[i][r] - values[BL_SCNOISE][r];
         bl_make_claim(run, text_gridless,
@@ -152,20 +138,16 @@ static bl_status claim_anisotropy(bl_run *run, const bl_six *six, double *mean,
                       0, unlimited, bl_mean_estimate(difference, ANISOTROPY_REPEATS, 0.95),
                       "spectra");
     }
-    return status;
 }
 
-bl_status bl_six_patterns_claim(bl_run *run, const bl_six *six, bl_message *message) {
+void bl_six_patterns_claim(bl_run *run, const bl_gallery *six) {
     double between[BL_SIX], on_plane[BL_SIX], anisotropy[BL_SIX];
-    bl_status status = claim_contrast(run, six, between, on_plane, message);
-    if (status == BL_OK)
-        status = claim_anisotropy(run, six, anisotropy, message);
+    claim_contrast(run, six, between, on_plane);
+    claim_anisotropy(run, six, anisotropy);
     const bl_column columns[] = {{.name = "noise", .words = bl_six_names},
                                  {.name = "lattice_contrast_random_place", .values = between},
                                  {.name = "lattice_contrast_lattice_plane", .values = on_plane},
                                  {.name = "ring_anisotropy_above_floor_db", .values = anisotropy}};
-    if (status != BL_OK)
-        return status;
-    return bl_run_csv(run, "grid-patterns", "how much of the lattice is seen in a slice", columns,
-                      4, BL_SIX, message);
+    bl_run_csv(run, "grid-patterns", "how much of the lattice is seen in a slice", columns, 4,
+               BL_SIX);
 }

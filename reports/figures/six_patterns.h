@@ -8,6 +8,6 @@
 
 // Measures, claims, and writes grid-patterns.csv. Errors: BL_DEVICE, and what the measurements
 // report.
-bl_status bl_six_patterns_claim(bl_run *run, const bl_six *six, bl_message *message);
+void bl_six_patterns_claim(bl_run *run, const bl_gallery *six);
 
 #endif

@@ -10,9 +10,7 @@ const char *const bl_reading_names[BL_READINGS] = {"line", "edge", "slice", "vol
 
 static bl_psd_settings settings_of(const bl_run *run, bl_reading reading) {
     static const unsigned dims[BL_READINGS] = {1, 1, 2, 3};
-    bl_psd_settings s = bl_psd_default_settings(dims[reading]);
-    s.seed = bl_run_settings(run)->seed;
-    s.threads = bl_run_settings(run)->threads;
+    bl_psd_settings s = bl_run_psd_settings(run, dims[reading]);
     s.level = 0.95;
     s.place = reading == BL_READING_EDGE ? BL_PLACE_LATTICE : BL_PLACE_RANDOM;
     for (int a = 0; a < 3; a++)
@@ -48,38 +46,15 @@ static void note_settings(bl_run *run, bl_reading reading, const bl_psd_settings
                                bl_window_half_lobe(s->window) * s->rate / (double)s->size));
 }
 
-bl_status bl_six_spectra_measure(bl_run *run, const bl_six *six, bl_six_spectra *spectra,
-                                 bl_message *message) {
-    *spectra = (bl_six_spectra){0};
+bl_six_spectra bl_six_spectra_measure(bl_run *run, const bl_gallery *six) {
+    bl_six_spectra spectra;
     for (int r = 0; r < BL_READINGS; r++) {
         bl_psd_settings settings = settings_of(run, (bl_reading)r);
         note_settings(run, (bl_reading)r, &settings);
         for (int i = 0; i < BL_SIX; i++) {
             bl_run_step(run, bl_run_text(run, "%s %s", bl_six_names[i], bl_reading_words[r]));
-            bl_status status =
-                bl_psd_measure(six->signal[i], &settings, &spectra->psd[r][i], message);
-            if (status != BL_OK)
-                return status;
-            spectra->measured[r][i] = 1;
+            spectra.psd[r][i] = bl_run_psd(run, six->signal[i], &settings);
         }
     }
-    return BL_OK;
-}
-
-void bl_six_spectra_free(bl_six_spectra *spectra) {
-    for (int r = 0; r < BL_READINGS; r++)
-        for (int i = 0; i < BL_SIX; i++)
-            if (spectra->measured[r][i])
-                bl_psd_free(&spectra->psd[r][i]);
-    *spectra = (bl_six_spectra){0};
-}
-
-bl_band bl_six_band(const bl_psd *psd, double from, double to) {
-    bl_band band = {.from = from, .to = to};
-    bl_psd_band(psd, &band);
-    return band;
-}
-
-bl_estimate bl_six_share(const bl_psd *psd, double from, double to) {
-    return bl_six_band(psd, from, to).fraction;
+    return spectra;
 }

@@ -8,7 +8,6 @@
 #include "reports/figures/six_values.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "core/random.h"
 #include "spectra/histogram.h"
@@ -59,7 +58,7 @@ static void claim_at_points(bl_run *run, int noise, double largest, bl_estimate 
                       reading, "", 0.5 - limit, 0.5 + limit, mean, points);
 }
 
-static void claim_lattice_values(bl_run *run, const bl_six *six, size_t count, double *values) {
+static void claim_lattice_values(bl_run *run, const bl_gallery *six, size_t count, double *values) {
     for (int i = 0; i < BL_SIX; i++) {
         bl_random random = bl_random_seed(bl_run_settings(run)->seed, 1235);
         double largest = 0;
@@ -179,27 +178,16 @@ static void claim_turns(bl_run *run, const bl_signal *gnoise, size_t count) {
 
 // --- the range of other interpolations ----------------------------------------------------------
 
-static bl_status claim_range(bl_run *run, size_t samples, bl_message *message) {
+static void claim_range(bl_run *run, size_t samples) {
     static const char *const kernels[] = {"catmull-rom", "bspline2", "bspline3"};
-    bl_histogram histogram[3];
-    bl_histogram_settings settings = bl_histogram_default_settings();
-    settings.samples = samples;
-    settings.seed = bl_run_settings(run)->seed;
-    settings.threads = bl_run_settings(run)->threads;
-    bl_status status = BL_OK;
-    int measured = 0;
-    for (; measured < 3 && status == BL_OK; measured++) {
-        bl_signal *signal = NULL;
-        status = bl_six_open_one(run, &signal, message, "vnoise:interp=%s,seed=%llu",
-                                 kernels[measured], (unsigned long long)settings.seed);
-        if (status == BL_OK)
-            status = bl_histogram_measure(signal, &settings, &histogram[measured], message);
-        bl_signal_free(signal);
-        if (status != BL_OK)
-            break;
-    }
-    for (int i = 1; i < 3 && status == BL_OK; i++) {
-        bl_estimate ratio = bl_ratio_db(histogram[i].variance, histogram[0].variance);
+    const bl_histogram *h[3];
+    const bl_histogram_settings settings = bl_run_histogram_settings(run, samples);
+    for (int i = 0; i < 3; i++)
+        h[i] = bl_run_histogram(
+            run, bl_run_seeded_signal(run, bl_run_text(run, "vnoise:interp=%s", kernels[i])),
+            &settings);
+    for (int i = 1; i < 3; i++) {
+        bl_estimate ratio = bl_ratio_db(h[i]->variance, h[0]->variance);
         const char *sentence =
             "B-splines approximate the lattice numbers and so have a narrower "
             "range than the Catmull-Rom spline.";
@@ -210,21 +198,15 @@ static bl_status claim_range(bl_run *run, size_t samples, bl_message *message) {
         bl_make_claim(run, "peachey2003, Value Noise", sentence,
                       bl_run_text(run, "%s, observed range over that of Catmull-Rom", kernels[i]),
                       "", 0, 1,
-                      bl_observed((histogram[i].maximum - histogram[i].minimum) /
-                                      (histogram[0].maximum - histogram[0].minimum),
-                                  (double)histogram[i].count),
+                      bl_observed((h[i]->maximum - h[i]->minimum) / (h[0]->maximum - h[0]->minimum),
+                                  (double)h[i]->count),
                       "values");
     }
-    for (int i = 0; i < measured; i++)
-        bl_histogram_free(&histogram[i]);
-    return status;
 }
 
-bl_status bl_six_values_claim(bl_run *run, const bl_six *six, bl_message *message) {
+void bl_six_values_claim(bl_run *run, const bl_gallery *six) {
     size_t count = (size_t)bl_run_pick(run, 2000, 20000, 1000000);
-    double *values = malloc(2 * count * sizeof *values);
-    if (!values)
-        return bl_report(message, BL_DEVICE, "out of memory");
+    double *values = bl_run_memory(run, 2 * count, sizeof *values);
     bl_run_setting(
         run, "points of the claims",
         bl_run_text(run, "%zu, drawn from a cube of %d cells a side", count, LATTICE_SPAN));
@@ -232,7 +214,6 @@ bl_status bl_six_values_claim(bl_run *run, const bl_six *six, bl_message *messag
     claim_lattice_values(run, six, count, values);
     claim_turns(run, six->signal[BL_GNOISE], count / 10);
     claim_continuity(run, six->signal[BL_VNOISE], count, values, values + count);
-    free(values);
     bl_run_step(run, "ranges");
-    return claim_range(run, (size_t)bl_run_pick(run, 1e5, 2e6, 1e8), message);
+    claim_range(run, (size_t)bl_run_pick(run, 1e5, 2e6, 1e8));
 }

@@ -7,6 +7,6 @@
 #include "reports/figures/six_noises.h"
 
 // Measures and claims. Errors: BL_DEVICE out of memory, and what the measurements report.
-bl_status bl_six_values_claim(bl_run *run, const bl_six *six, bl_message *message);
+void bl_six_values_claim(bl_run *run, const bl_gallery *six);
 
 #endif

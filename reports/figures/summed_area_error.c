@@ -13,11 +13,10 @@
 // place of 2. With the mean of the image taken off before the sums, entries are sums of random
 // signs and grow as N.
 #include <math.h>
-#include <stdlib.h>
 
 #include "core/random.h"
-#include "filters/summed_area.h"
 #include "reports/figures/estimates.h"
+#include "reports/measure.h"
 
 enum { KINDS = 3, SIZES_MOST = 7, SEEDS_MOST = 16, BOX = 16, SMALLEST = 32 };
 enum { ROUNDED, ADDED, CENTRED };
@@ -47,43 +46,35 @@ static double deviation(const bl_summed_area *table, const bl_summed_area *exact
     return sqrt(sum / count);
 }
 
-static bl_status measure_image(measured *m, const float *values, size_t n, size_t seed, int centred,
-                               bl_message *message) {
+static void measure_image(bl_run *run, measured *m, const float *values, size_t n, size_t seed,
+                          int centred) {
     size_t side = (size_t)m->side[n];
-    bl_summed_area *exact = NULL;
-    bl_status status =
-        bl_summed_area_make(values, side, side, BL_SUMS_COMPENSATED, BL_CLAMPED, &exact, message);
-    for (int k = 0; k < KINDS && status == BL_OK; k++) {
-        bl_summed_area *table = NULL;
+    const bl_summed_area *exact = bl_run_summed_area(run, values, side, BL_SUMS_COMPENSATED);
+    for (int k = 0; k < KINDS; k++) {
         if ((k == CENTRED) != centred)
             continue;
-        status = bl_summed_area_make(values, side, side, sums_of[k], BL_CLAMPED, &table, message);
-        for (int b = 0; b < 2 && status == BL_OK; b++)
+        const bl_summed_area *table = bl_run_summed_area(run, values, side, sums_of[k]);
+        for (int b = 0; b < 2; b++)
             m->error[b][k][n][seed] = deviation(table, exact, side, b ? BOX : 1);
-        bl_summed_area_free(table);
+        bl_run_release(run, table);
     }
-    bl_summed_area_free(exact);
-    return status;
+    bl_run_release(run, exact);
 }
 
 // White noise between 0 and 1 of 24 bits, so that doubles hold all sums to the last bit.
-static bl_status measure_size(bl_run *run, measured *m, size_t n, bl_message *message) {
+static void measure_size(bl_run *run, measured *m, size_t n) {
     size_t pixels = (size_t)m->side[n] * (size_t)m->side[n];
-    float *values = malloc(sizeof *values * pixels);
-    bl_status status = values ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
+    float *values = bl_run_memory(run, pixels, sizeof *values);
     bl_run_step(run, bl_run_text(run, "tables of %g by %g", m->side[n], m->side[n]));
-    for (size_t seed = 0; seed < m->seeds && status == BL_OK; seed++) {
+    for (size_t seed = 0; seed < m->seeds; seed++) {
         bl_random random = bl_random_seed(bl_run_settings(run)->seed, 3000 + 100 * n + seed);
         for (size_t i = 0; i < pixels; i++)
             values[i] = (float)(floor(0x1p24 * bl_random_unit(&random)) * 0x1p-24);
-        status = measure_image(m, values, n, seed, 0, message);
+        measure_image(run, m, values, n, seed, 0);
         for (size_t i = 0; i < pixels; i++)
             values[i] -= 0.5F; // exact
-        if (status == BL_OK)
-            status = measure_image(m, values, n, seed, 1, message);
+        measure_image(run, m, values, n, seed, 1);
     }
-    free(values);
-    return status;
 }
 
 // --- what is drawn ------------------------------------------------------------------------------
@@ -92,7 +83,7 @@ static double law(double side, double area) {
     return 2 / (3 * sqrt(3 * 2)) * 0x1p-24 * 0.5 * side * side / area;
 }
 
-static bl_status draw(bl_run *run, const measured *m, bl_message *message) {
+static void draw(bl_run *run, const measured *m) {
     double values[2][KINDS][SIZES_MOST], laws[2][SIZES_MOST];
     bl_column columns[1 + 2 * (KINDS + 1)] = {{"side_pixels", m->side, NULL}};
     bl_series series[2][KINDS + 1];
@@ -119,11 +110,10 @@ static bl_status draw(bl_run *run, const measured *m, bl_message *message) {
             used++;
         }
     }
-    bl_status status =
-        bl_run_csv(run, "errors",
-                   "rms error, in dB of 1, of means read off summed-area tables of white noise "
-                   "between 0 and 1",
-                   columns, used, m->sizes, message);
+    bl_run_csv(run, "errors",
+               "rms error, in dB of 1, of means read off summed-area tables of white noise "
+               "between 0 and 1",
+               columns, used, m->sizes);
     const bl_panel panels[] = {{"means over single pixels", series[0], KINDS + 1, NULL},
                                {"means over 16 by 16 pixels", series[1], KINDS + 1, NULL}};
     const bl_limit limits[] = {{0, -48.13, "1/255"}};
@@ -137,15 +127,11 @@ static bl_status draw(bl_run *run, const measured *m, bl_message *message) {
         .aspect = 0.9,
         .limits = limits,
         .limit_count = 1};
-    return status == BL_OK
-               ? bl_run_plot(
-                     run, "errors", &plot,
-                     "Error in decibels over the side of the image. Tables of floats rise by "
-                     "12 dB for each doubling of the side, on the line of the law, those "
-                     "with the mean taken off by 6; for single pixels of an image of 1024 "
-                     "the error passes 1/255.",
-                     message)
-               : status;
+    bl_run_plot(run, "errors", &plot,
+                "Error in decibels over the side of the image. Tables of floats rise by "
+                "12 dB for each doubling of the side, on the line of the law, those "
+                "with the mean taken off by 6; for single pixels of an image of 1024 "
+                "the error passes 1/255.");
 }
 
 // --- claims -------------------------------------------------------------------------------------
@@ -210,25 +196,18 @@ static void claim_laws(bl_run *run, const measured *m) {
                   ratio(m, 0, ADDED, ROUNDED), "images");
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
-    measured *m = calloc(1, sizeof *m);
-    if (!m)
-        return bl_report(message, BL_DEVICE, "out of memory");
+static void run_figure(bl_run *run) {
+    measured *m = bl_run_memory(run, 1, sizeof *m);
     m->sizes = (size_t)bl_run_pick(run, 4, 6, 7);
     m->seeds = (size_t)bl_run_pick(run, 16, 8, 16);
     bl_run_setting(run, "images",
                    bl_run_text(run, "%zu of each size, white noise between 0 and 1", m->seeds));
-    bl_status status = BL_OK;
-    for (size_t n = 0; n < m->sizes && status == BL_OK; n++) {
+    for (size_t n = 0; n < m->sizes; n++) {
         m->side[n] = ldexp(SMALLEST, (int)n);
-        status = measure_size(run, m, n, message);
+        measure_size(run, m, n);
     }
-    if (status == BL_OK)
-        status = draw(run, m, message);
-    if (status == BL_OK)
-        claim_laws(run, m);
-    free(m);
-    return status;
+    draw(run, m);
+    claim_laws(run, m);
 }
 
 BL_FIGURE_DESCRIPTOR(summed_area_error) = {

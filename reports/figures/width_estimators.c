@@ -8,10 +8,9 @@
 // sqrt(12 var), which blurs as much as the pixel itself does.
 #include <math.h>
 
-#include "aliasing/view.h"
 #include "filters/sample_width.h"
 #include "reports/figures/estimates.h"
-#include "reports/run.h"
+#include "reports/measure.h"
 
 static const char section[] = "peachey2003, Determining the Sampling Rate";
 
@@ -67,24 +66,17 @@ static double estimate(const footprint *f, int estimator, int axis, double k) {
 
 // --- a texture turned in the plane of the image -------------------------------------------------
 
-static bl_status measure_turned(bl_run *run, double ratio[2][ESTIMATORS][ANGLES],
-                                bl_message *message) {
+static void measure_turned(bl_run *run, double ratio[2][ESTIMATORS][ANGLES]) {
     for (int degrees = 0; degrees < ANGLES; degrees++) {
-        bl_view view;
         footprint f;
-        bl_status status =
-            bl_view_open(bl_run_text(run, "flat:rotate=%d", degrees), SIZE, SIZE, &view, message);
-        if (status != BL_OK)
-            return status;
-        look(&view, 40.5, 70.5, &f);
+        look(bl_run_view(run, bl_run_text(run, "flat:rotate=%d", degrees), SIZE, SIZE), 40.5, 70.5,
+             &f);
         for (int e = 0; e < ESTIMATORS; e++) {
             double width = estimate(&f, e, 0, 4.0 / SIZE); // k: the pixel's own size
             ratio[0][e][degrees] = width / f.extent[0];
             ratio[1][e][degrees] = width / f.spread[0];
         }
-        bl_view_close(&view);
     }
-    return BL_OK;
 }
 
 static void range_of(const double *values, double *least, double *most) {
@@ -123,8 +115,7 @@ static void claim_turned(bl_run *run, double ratio[2][ESTIMATORS][ANGLES]) {
                   bl_observed(fmax(most[1][LENGTH] - 1, 1 - least[1][LENGTH]), ANGLES), "angles");
 }
 
-static bl_status draw_turned(bl_run *run, double ratio[2][ESTIMATORS][ANGLES],
-                             bl_message *message) {
+static void draw_turned(bl_run *run, double ratio[2][ESTIMATORS][ANGLES]) {
     static const bl_ink inks[ESTIMATORS] = {BL_INK_MEASURED, BL_INK_THEORY, BL_INK_SECOND,
                                             BL_INK_FOURTH};
     double angle[ANGLES];
@@ -162,18 +153,15 @@ static bl_status draw_turned(bl_run *run, double ratio[2][ESTIMATORS][ANGLES],
         .aspect = 0.8,
         .limits = limits,
         .limit_count = 1};
-    bl_status status = bl_run_csv(run, "turned",
-                                  "estimated width over the extent of the pixel along the axis, "
-                                  "and over the width of the box with the pixel's own variance",
-                                  columns, 1 + 2 * ESTIMATORS, ANGLES, message);
-    return status == BL_OK
-               ? bl_run_plot(run, "turned", &plot,
-                             "Ratios against the angle. The sum covers the extent at every angle "
-                             "and is up to 1.41 times as wide as blurs like the pixel; the larger "
-                             "derivative falls to half the extent at 45 degrees; the length of the "
-                             "gradient blurs like the pixel at every angle.",
-                             message)
-               : status;
+    bl_run_csv(run, "turned",
+               "estimated width over the extent of the pixel along the axis, "
+               "and over the width of the box with the pixel's own variance",
+               columns, 1 + 2 * ESTIMATORS, ANGLES);
+    bl_run_plot(run, "turned", &plot,
+                "Ratios against the angle. The sum covers the extent at every angle "
+                "and is up to 1.41 times as wide as blurs like the pixel; the larger "
+                "derivative falls to half the extent at 45 degrees; the length of the "
+                "gradient blurs like the pixel at every angle.");
 }
 
 // --- views in perspective -----------------------------------------------------------------------
@@ -184,51 +172,44 @@ typedef struct ratios {
     double count;
 } ratios;
 
-static bl_status measure_view(const char *text, ratios *r, bl_message *message) {
-    bl_view view;
-    bl_status status = bl_view_open(text, SIZE, SIZE, &view, message);
-    if (status != BL_OK)
-        return status;
-    *r = (ratios){.count = 0};
+static ratios measure_view(bl_run *run, const char *text) {
+    const bl_view *view = bl_run_view(run, text, SIZE, SIZE);
+    ratios r = {.count = 0};
     footprint middle;
     // k so that the estimate is right for one pixel near the middle, and used for all, as one has
     // to.
     double k = NAN;
     for (int y = SIZE / 2; y < SIZE && isnan(k); y++)
-        if (look(&view, SIZE / 2 + 0.5, y + 0.5, &middle))
+        if (look(view, SIZE / 2 + 0.5, y + 0.5, &middle))
             k = middle.extent[1] / middle.sight.distance;
     for (int e = 0; e < ESTIMATORS; e++) {
-        r->least[e] = INFINITY;
-        r->most[e] = -INFINITY;
+        r.least[e] = INFINITY;
+        r.most[e] = -INFINITY;
     }
     for (int x = 0; x < SIZE; x += 3)
         for (int y = 0; y < SIZE; y += 3) {
             footprint f;
-            if (!look(&view, x + 0.5, y + 0.5, &f))
+            if (!look(view, x + 0.5, y + 0.5, &f))
                 continue;
             for (int a = 0; a < AXES; a++)
                 for (int e = 0; e < ESTIMATORS; e++) {
                     double ratio = estimate(&f, e, a, k) / f.extent[a];
-                    r->least[e] = fmin(r->least[e], ratio);
-                    r->most[e] = fmax(r->most[e], ratio);
+                    r.least[e] = fmin(r.least[e], ratio);
+                    r.most[e] = fmax(r.most[e], ratio);
                 }
-            r->count += AXES;
+            r.count += AXES;
         }
-    bl_view_close(&view);
-    return BL_OK;
+    return r;
 }
 
 enum { VIEWS = 3 };
 static const char *const views[VIEWS] = {"plane:pitch=45", "sphere:distance=6,tilt=0", "torus"};
 
-static bl_status claim_views(bl_run *run, bl_message *message) {
+static void claim_views(bl_run *run) {
     double least[VIEWS * ESTIMATORS], most[VIEWS * ESTIMATORS];
     const char *view[VIEWS * ESTIMATORS], *estimator[VIEWS * ESTIMATORS];
     for (int v = 0; v < VIEWS; v++) {
-        ratios r;
-        bl_status status = measure_view(views[v], &r, message);
-        if (status != BL_OK)
-            return status;
+        const ratios r = measure_view(run, views[v]);
         for (int e = 0; e < ESTIMATORS; e++) {
             least[v * ESTIMATORS + e] = r.least[e];
             most[v * ESTIMATORS + e] = r.most[e];
@@ -253,20 +234,17 @@ static bl_status claim_views(bl_run *run, bl_message *message) {
                                  {.name = "estimator", .words = estimator},
                                  {.name = "least_over_extent", .values = least},
                                  {.name = "most_over_extent", .values = most}};
-    return bl_run_csv(run, "views", "estimated width over the extent of the pixel, over a view",
-                      columns, 4, VIEWS * ESTIMATORS, message);
+    bl_run_csv(run, "views", "estimated width over the extent of the pixel, over a view", columns,
+               4, VIEWS * ESTIMATORS);
 }
 
-static bl_status run_figure(bl_run *run, bl_message *message) {
+static void run_figure(bl_run *run) {
     double ratio[2][ESTIMATORS][ANGLES];
     bl_run_setting(run, "pixels", bl_run_text(run, "every third of %d x %d", SIZE, SIZE));
-    bl_status status = measure_turned(run, ratio, message);
-    if (status == BL_OK)
-        status = draw_turned(run, ratio, message);
-    if (status != BL_OK)
-        return status;
+    measure_turned(run, ratio);
+    draw_turned(run, ratio);
     claim_turned(run, ratio);
-    return claim_views(run, message);
+    return claim_views(run);
 }
 
 BL_FIGURE_DESCRIPTOR(width_estimators) = {
