@@ -9,7 +9,7 @@
 
 #include "aliasing/usual_methods.h"
 #include "cli/json.h"
-#include "cli/plain.h"
+#include "core/plain.h"
 #include "cli/verb.h"
 
 typedef struct advise_options {

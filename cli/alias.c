@@ -9,7 +9,7 @@
 
 #include "cli/alias_files.h"
 #include "cli/json.h"
-#include "cli/plain.h"
+#include "core/plain.h"
 #include "cli/verb.h"
 
 typedef struct alias_options {

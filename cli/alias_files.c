@@ -77,27 +77,27 @@ static void file_name(const char *method, const char *more, char *name, size_t s
 }
 
 static void write_estimate(FILE *out, const bl_estimate *estimate) {
-    bl_csv_number(out, estimate->value, ',');
-    bl_csv_number(out, estimate->lower, ',');
-    bl_csv_number(out, estimate->upper, ',');
+    bl_csv_number(out, estimate->value), fputc(',', out);
+    bl_csv_number(out, estimate->lower), fputc(',', out);
+    bl_csv_number(out, estimate->upper), fputc(',', out);
 }
 
 static void write_row(FILE *out, const bl_alias_row *row) {
-    bl_csv_word(out, row->method, ',');
+    bl_csv_word(out, row->method), fputc(',', out);
     write_estimate(out, &row->alias);
     write_estimate(out, &row->blur);
     write_estimate(out, &row->mse);
-    bl_csv_number(out, row->psnr_db, ',');
+    bl_csv_number(out, row->psnr_db), fputc(',', out);
     write_estimate(out, &row->ssim);
-    bl_csv_number(out, row->max_error, ',');
+    bl_csv_number(out, row->max_error), fputc(',', out);
     write_estimate(out, &row->flicker);
-    bl_csv_number(out, row->pops, ',');
-    bl_csv_number(out, row->ns_per_sample, ',');
-    bl_csv_number(out, row->ns_lowest, ',');
-    bl_csv_number(out, row->ns_highest, ',');
-    bl_csv_number(out, row->samples, ',');
-    bl_csv_number(out, row->predicted_alias, ',');
-    bl_csv_number(out, row->predicted_blur, '\n');
+    bl_csv_number(out, row->pops), fputc(',', out);
+    bl_csv_number(out, row->ns_per_sample), fputc(',', out);
+    bl_csv_number(out, row->ns_lowest), fputc(',', out);
+    bl_csv_number(out, row->ns_highest), fputc(',', out);
+    bl_csv_number(out, row->samples), fputc(',', out);
+    bl_csv_number(out, row->predicted_alias), fputc(',', out);
+    bl_csv_number(out, row->predicted_blur), fputc('\n', out);
 }
 
 static bl_status write_table(const picture_files *files, const bl_alias_result *result) {

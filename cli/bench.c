@@ -9,152 +9,148 @@
 #include "cli/csv.h"
 #include "cli/json.h"
 #include "cli/verb.h"
+#include "core/clock.h"
 #include "score/bench.h"
 
 typedef struct bench_settings {
     int check;
 } bench_settings;
 
-static void read_processor(char *name, size_t size) {
-    char line[256];
-    snprintf(name, size, "unknown");
-    FILE *info = fopen("/proc/cpuinfo", "r");
-    while (info && fgets(line, sizeof line, info)) {
-        char *colon = strchr(line, ':');
-        if (strncmp(line, "model name", 10) != 0 || !colon)
-            continue;
-        colon[strcspn(colon, "\n")] = '\0';
-        snprintf(name, size, "%s", colon + 1 + (colon[1] == ' '));
-        break;
-    }
-    if (info)
-        fclose(info);
+// --- the report ---------------------------------------------------------------------------------
+
+static int is_transform(const void *row) {
+    return bl_bench_is_transform(row);
 }
 
-static json_t *row_json(const bl_bench_row *row) {
-    json_t *object = json_object();
-    bl_json_set_text(object, "signal", row->signal);
-    bl_json_set_text(object, "path", row->path);
-    bl_json_set_text(object, "axis", row->axis);
-    bl_json_set_text(object, "isa", row->isa);
-    json_object_set_new(object, "peer", json_boolean(row->peer));
-    bl_json_set_number(object, "samples_per_cell", row->samples_per_cell);
-    bl_json_set_number(object, "samples", row->samples);
-    bl_json_set_number(object, "ns_per_sample", row->candidate.minimum);
-    bl_json_set_number(object, "ns_per_sample_median", row->candidate.median);
-    int transform = bl_bench_is_transform(row);
-    int textbook = row->against && strcmp(row->against, "textbook") == 0;
-    bl_json_set_text(object, "yardstick", row->against);
-    bl_json_set_number(object, "yardstick_ns_per_sample", row->yardstick.minimum);
-    bl_json_set_number(object, "yardstick_ns_per_sample_median", row->yardstick.median);
-    bl_json_set_number(object, "ratio", transform ? NAN : row->ratio);
-    bl_json_set_number(object, "ratio_textbook", textbook ? row->ratio : NAN);
-    if (transform)
-        bl_json_set_number(object, "cost_in_transforms", 1 / row->ratio);
-    bl_json_set_number(object, "max_error", row->max_error);
-    if (transform)
-        bl_json_set_number(object, "ceiling", 1 / row->floor);
-    else
-        bl_json_set_number(object, "floor", row->floor);
-    json_object_set_new(object, "floor_met",
-                        isnan(row->floor) ? json_null() : json_boolean(bl_bench_is_met(row)));
-    return object;
+static int is_loop(const void *row) {
+    return !bl_bench_is_transform(row);
+}
+
+static int is_textbook(const void *row) {
+    const char *against = ((const bl_bench_row *)row)->against;
+    return against && strcmp(against, "textbook") == 0;
+}
+
+static int has_floor(const void *row) {
+    return !isnan(((const bl_bench_row *)row)->floor);
+}
+
+// A spectrum is measured in transforms, of which fewer are better.
+static void find_ratio_text(const bl_table *table, size_t row, bl_cell *cell) {
+    const bl_bench_row *is = (const bl_bench_row *)table->rows + row;
+    cell->value = is_transform(is) ? is->transforms : is->ratio;
+}
+
+static void find_floor_text(const bl_table *table, size_t row, bl_cell *cell) {
+    const bl_bench_row *is = (const bl_bench_row *)table->rows + row;
+    snprintf(cell->text, sizeof cell->text, is_transform(is) ? "<= %.3g" : ">= %.3g",
+             is_transform(is) ? is->ceiling : is->floor);
+    cell->word = cell->text;
+}
+
+// clang-format off
+#define AT(member) .offset = offsetof(bl_bench_row, member)
+static const bl_field fields[] = {
+    {"signal", "signal", BL_CELL_LETTERS, AT(signal)},
+    {"path", "path", BL_CELL_WORD, AT(path)},
+    {"axis", "ax", BL_CELL_WORD, AT(axis)},
+    {"isa", "isa", BL_CELL_WORD, AT(isa)},
+    {"peer", NULL, BL_CELL_FLAG, AT(peer), .forms = BL_IN_JSON},
+    {"samples_per_cell", "per cell", BL_CELL_REAL, AT(samples_per_cell), .digits = 3},
+    {"samples", NULL, BL_CELL_REAL, AT(samples), .forms = BL_IN_JSON},
+    {"ns_per_sample", "ns", BL_CELL_REAL, AT(candidate.minimum), .decimals = 3},
+    {"ns_per_sample_median", NULL, BL_CELL_REAL, AT(candidate.median)},
+    {"yardstick", "against", BL_CELL_WORD, AT(against)},
+    {"yardstick_ns_per_sample", NULL, BL_CELL_REAL, AT(yardstick.minimum)},
+    {"yardstick_ns_per_sample_median", NULL, BL_CELL_REAL, AT(yardstick.median), .forms = BL_IN_JSON},
+    {"ratio", NULL, BL_CELL_REAL, AT(ratio), .forms = BL_IN_CSV},
+    {"ratio", NULL, BL_CELL_REAL, AT(ratio), .when = is_loop, .forms = BL_IN_JSON},
+    {"ratio", "ratio", BL_CELL_REAL, .find = find_ratio_text, .decimals = 2, .forms = BL_IN_TEXT},
+    {"ratio_textbook", NULL, BL_CELL_REAL, AT(ratio), .when = is_textbook, .forms = BL_IN_JSON},
+    {"cost_in_transforms", NULL, BL_CELL_REAL, AT(transforms), .when = is_transform, .absent = 1,
+     .forms = BL_IN_JSON},
+    {"max_error", "error", BL_CELL_REAL, AT(max_error), .digits = 2},
+    {"floor", NULL, BL_CELL_REAL, AT(floor), .forms = BL_IN_CSV},
+    {"floor", NULL, BL_CELL_REAL, AT(floor), .when = is_loop, .absent = 1, .forms = BL_IN_JSON},
+    {"floor", "floor", BL_CELL_WORD, .when = has_floor, .find = find_floor_text, .forms = BL_IN_TEXT},
+    {"ceiling", NULL, BL_CELL_REAL, AT(ceiling), .when = is_transform, .absent = 1,
+     .forms = BL_IN_JSON},
+    {"floor_met", NULL, BL_CELL_FLAG, AT(met), .when = has_floor, .forms = BL_IN_JSON},
+    {"verdict", "verdict", BL_CELL_VERDICT, AT(verdict), .when = has_floor, .forms = BL_IN_TEXT},
+    {0}};
+#undef AT
+// clang-format on
+
+static bl_table rows_of(const bl_bench *bench) {
+    return (bl_table){.fields = fields,
+                      .rows = bench->rows,
+                      .count = bench->count,
+                      .stride = sizeof *bench->rows};
+}
+
+typedef struct bench_head {
+    char processor[128];
+    const char *compiler;
+    unsigned threads, threads_of_psd, rounds;
+    const char *clock;
+} bench_head;
+
+#define AT(member) .offset = offsetof(bench_head, member)
+static const bl_field head_fields[] = {
+    {"processor", "processor", BL_CELL_LETTERS, AT(processor)},
+    {"compiler", "compiler", BL_CELL_WORD, AT(compiler)},
+    {"threads", "threads", BL_CELL_UNSIGNED, AT(threads)},
+    {"threads_of_psd", "of psd", BL_CELL_UNSIGNED, AT(threads_of_psd)},
+    {"rounds", "rounds", BL_CELL_UNSIGNED, AT(rounds)},
+    {"clock", "clock", BL_CELL_WORD, AT(clock)},
+    {0}};
+#undef AT
+
+static bench_head head_of(const bl_bench *bench) {
+    bench_head head = {.compiler = __VERSION__,
+                       .threads = 1,
+                       .threads_of_psd = (unsigned)bench->threads,
+                       .rounds = (unsigned)bench->rounds,
+                       .clock = "CLOCK_MONOTONIC; pieces by turns; the least of the rounds"};
+    bl_processor_name(head.processor, sizeof head.processor);
+    return head;
 }
 
 // Without --check the floors are shown and not judged.
 static void report_json(json_t *object, const bl_bench *bench, int checked, bl_verdict verdict) {
-    char processor[128];
-    read_processor(processor, sizeof processor);
-    bl_json_set_text(object, "processor", processor);
-    bl_json_set_text(object, "compiler", __VERSION__);
-    bl_json_set_count(object, "threads", 1);
-    bl_json_set_count(object, "threads_of_psd", (uint64_t)bench->threads);
-    bl_json_set_count(object, "rounds", (uint64_t)bench->rounds);
-    bl_json_set_text(object, "clock", "CLOCK_MONOTONIC; pieces by turns; the least of the rounds");
-    json_t *rows = json_array();
-    for (size_t i = 0; i < bench->count; i++)
-        json_array_append_new(rows, row_json(&bench->rows[i]));
-    json_object_set_new(object, "rows", rows);
+    const bench_head head = head_of(bench);
+    const bl_table record = BL_RECORD(head_fields, &head), rows = rows_of(bench);
+    bl_record_json(object, &record, 0);
+    json_object_set_new(object, "rows", bl_table_json(&rows));
     bl_json_set_count(object, "floors_missed", bl_bench_missed(bench));
     bl_json_set_text(object, "verdict", checked ? bl_verdict_word(verdict) : "not judged");
     bl_json_set_count(object, "exit_status", (uint64_t)bl_verdict_status(verdict));
 }
 
-static void print_number(FILE *out, const char *format, int width, double number) {
-    if (isfinite(number))
-        fprintf(out, format, width, number);
-    else
-        fprintf(out, "%*s", width, "-");
-}
-
-static void print_row(bl_call *call, const bl_bench_row *row) {
-    FILE *out = call->out;
-    fprintf(out, "%-22s %-9s %-2s %-9s", row->signal, row->path, row->axis ? row->axis : "-",
-            row->isa);
-    print_number(out, "%*.4g", 9, row->samples_per_cell);
-    print_number(out, "%*.3f", 9, row->candidate.minimum);
-    print_number(out, "%*.3f", 9, row->candidate.median);
-    print_number(out, "%*.3f", 10, row->yardstick.minimum);
-    fprintf(out, " %-9s", row->against ? row->against : "-");
-    print_number(out, "%*.2f", 8, bl_bench_is_transform(row) ? 1 / row->ratio : row->ratio);
-    print_number(out, "%*.1e", 10, row->max_error);
-    if (!isnan(row->floor))
-        fprintf(out, "  %s %.3g %s", bl_bench_is_transform(row) ? "<=" : ">=",
-                bl_bench_is_transform(row) ? 1 / row->floor : row->floor,
-                bl_call_verdict(call, bl_bench_is_met(row) ? BL_VERDICT_PASS : BL_VERDICT_FAIL));
-    fputc('\n', out);
-}
-
 static void report_text(bl_call *call, const bl_bench *bench) {
-    char processor[128];
-    read_processor(processor, sizeof processor);
+    const bench_head head = head_of(bench);
+    const bl_table record = BL_RECORD(head_fields, &head);
+    bl_table rows = rows_of(bench);
+    rows.coloured = bl_call_coloured(call);
+    bl_record_print(&record, call->out);
     fprintf(
         call->out,
-        "%s; compiler %s\none thread (psd: %d); least and median of %d rounds by turns; error "
-        "against the double\nreference around 0, 1e6 and 1e9; yardstick: the plain loop of the "
-        "textbook, or for\nother settings than the default the reference in double, at the same "
-        "places; ratio: how much\nfaster (psd: how many bare transforms it costs); per "
-        "cell: samples in a lattice cell (points:\n%d over a cube of %d cells a side, hardly two "
-        "in one); floor: the ratio asked for, which\nonly --check makes the exit status\n\n",
-        processor, __VERSION__, bl_call_threads(call), bench->rounds, BL_SCATTERED,
-        BL_SCATTER_CUBE);
-    fprintf(call->out, "%-22s %-9s %-2s %-9s%9s%9s%9s%10s %-9s%8s%10s  %s\n", "signal", "path",
-            "ax", "isa", "per cell", "ns", "median", "plain ns", "loop", "ratio", "error", "floor");
-    for (size_t i = 0; i < bench->count; i++)
-        print_row(call, &bench->rows[i]);
+        "\nper cell: samples in a lattice cell (points: %d over a cube of %d cells a side, hardly "
+        "two in one)\n"
+        "ns: of a sample, the least of the rounds\n"
+        "against: the plain loop of the textbook, or for other settings than the default the "
+        "reference in\n  double, at the same places\n"
+        "ratio: how much faster than that (psd: how many bare transforms it costs)\n"
+        "error: against the double reference around 0, 1e6 and 1e9\n"
+        "floor: the ratio asked for, which only --check makes the exit status\n\n",
+        BL_SCATTERED, BL_SCATTER_CUBE);
+    bl_table_print(&rows, call->out);
 }
 
 static bl_status write_csv(bl_call *call, const bl_bench *bench) {
-    bl_file file;
-    char processor[128];
-    bl_status status = bl_csv_open(call, &file);
-    if (status != BL_OK)
-        return status;
-    read_processor(processor, sizeof processor);
-    bl_csv_comment(file.stream, "bandlimit bench", BL_VERSION);
-    bl_csv_comment(file.stream, "processor", processor);
-    bl_csv_comment(file.stream, "compiler", __VERSION__);
-    fputs(
-        "signal,path,axis,isa,samples_per_cell,ns_per_sample,ns_per_sample_median,"
-        "yardstick,yardstick_ns_per_sample,ratio,max_error,floor\n",
-        file.stream);
-    for (size_t i = 0; i < bench->count; i++) {
-        const bl_bench_row *row = &bench->rows[i];
-        const double times[] = {row->samples_per_cell, row->candidate.minimum,
-                                row->candidate.median};
-        const double against[] = {row->yardstick.minimum, row->ratio, row->max_error};
-        bl_csv_word(file.stream, row->signal, ',');
-        bl_csv_word(file.stream, row->path, ',');
-        bl_csv_word(file.stream, row->axis ? row->axis : "", ',');
-        bl_csv_word(file.stream, row->isa, ',');
-        for (size_t k = 0; k < 3; k++)
-            bl_csv_number(file.stream, times[k], ',');
-        bl_csv_word(file.stream, row->against ? row->against : "", ',');
-        for (size_t k = 0; k < 3; k++)
-            bl_csv_number(file.stream, against[k], ',');
-        bl_csv_number(file.stream, row->floor, '\n');
-    }
-    return bl_csv_close(call, &file);
+    const bench_head head = head_of(bench);
+    const bl_table record = BL_RECORD(head_fields, &head), rows = rows_of(bench);
+    return bl_csv_write(call, &record, &rows);
 }
 
 // The signals named, or the whole registry, with the instruction sets asked for.

@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "cli/plain.h"
+#include "core/plain.h"
 #include "cli/verb.h"
 #include "core/grammar.h"
 #include "core/grid.h"
@@ -151,10 +151,14 @@ void bl_progress(const bl_call *call, const char *format, ...) {
     fflush(stderr);
 }
 
-const char *bl_call_verdict(const bl_call *call, bl_verdict verdict) {
+int bl_call_coloured(const bl_call *call) {
     const char *no_color = getenv("NO_COLOR"), *term = getenv("TERM");
-    if ((no_color && *no_color) || !term || strcmp(term, "dumb") == 0 || call->out != stdout ||
-        !isatty(STDOUT_FILENO))
+    return !(no_color && *no_color) && term && strcmp(term, "dumb") != 0 && call->out == stdout &&
+           isatty(STDOUT_FILENO);
+}
+
+const char *bl_call_verdict(const bl_call *call, bl_verdict verdict) {
+    if (!bl_call_coloured(call))
         return bl_verdict_word(verdict);
     static const char *const coloured[] = {"\033[32mpass\033[0m", "\033[33minconclusive\033[0m",
                                            "\033[31mfail\033[0m", "not-run"};

@@ -6,7 +6,7 @@
 
 #include "cli/csv.h"
 #include "cli/json.h"
-#include "cli/plain.h"
+#include "core/plain.h"
 #include "cli/scorecard.h"
 #include "score/properties/sampling.h"
 
@@ -114,10 +114,10 @@ static bl_status write_csv(bl_call *call, const bl_scorecard *card, const claim_
     bl_csv_comment(file.stream, "signal", card->signal->text);
     fputs("claim,property,verdict,reason\n", file.stream);
     for (size_t i = 0; i < count; i++) {
-        bl_csv_word(file.stream, lines[i].name, ',');
-        bl_csv_word(file.stream, lines[i].property, ',');
-        bl_csv_word(file.stream, bl_verdict_word(lines[i].verdict), ',');
-        bl_csv_word(file.stream, lines[i].reason, '\n');
+        bl_csv_word(file.stream, lines[i].name), fputc(',', file.stream);
+        bl_csv_word(file.stream, lines[i].property), fputc(',', file.stream);
+        bl_csv_word(file.stream, bl_verdict_word(lines[i].verdict)), fputc(',', file.stream);
+        bl_csv_word(file.stream, lines[i].reason), fputc('\n', file.stream);
     }
     return bl_csv_close(call, &file);
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/csv.h"
 
-#include <ctype.h>
-#include <math.h>
 #include <string.h>
 
 bl_status bl_csv_open(bl_call *call, bl_file *file) {
@@ -16,29 +14,15 @@ bl_status bl_csv_close(bl_call *call, bl_file *file) {
     return file->path ? bl_file_commit(file, &call->message) : BL_OK;
 }
 
-void bl_csv_comment(FILE *out, const char *name, const char *value) {
-    fprintf(out, "# %s: ", name);
-    for (; *value; value++)
-        fputc(iscntrl((unsigned char)*value) ? '?' : *value, out);
-    fputc('\n', out);
-}
-
-void bl_csv_number(FILE *out, double number, char end) {
-    if (isfinite(number))
-        fprintf(out, "%.9g", number);
-    fputc(end, out);
-}
-
-void bl_csv_word(FILE *out, const char *word, char end) {
-    int quoted = word[strcspn(word, "\",\r\n")] != '\0';
-    if (quoted)
-        fputc('"', out);
-    for (; *word; word++) {
-        if (*word == '"')
-            fputc('"', out);
-        fputc(*word, out);
-    }
-    if (quoted)
-        fputc('"', out);
-    fputc(end, out);
+bl_status bl_csv_write(bl_call *call, const bl_table *record, const bl_table *rows) {
+    bl_file file;
+    char title[64];
+    bl_status status = bl_csv_open(call, &file);
+    if (status != BL_OK)
+        return status;
+    snprintf(title, sizeof title, "bandlimit %s", call->verb->name);
+    bl_csv_comment(file.stream, title, BL_VERSION);
+    bl_record_csv(record, file.stream);
+    bl_table_csv(rows, file.stream);
+    return bl_csv_close(call, &file);
 }

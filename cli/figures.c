@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "cli/json.h"
-#include "cli/plain.h"
+#include "core/plain.h"
 #include "reports/figure.h"
 
 static void show_progress(void *user, size_t done, size_t total, const char *figure,

@@ -6,7 +6,7 @@
 
 #include "cli/csv.h"
 #include "cli/json.h"
-#include "cli/plain.h"
+#include "core/plain.h"
 #include "cli/verb.h"
 #include "cli/words.h"
 #include "spectra/histogram.h"
@@ -117,10 +117,11 @@ static bl_status write_csv(bl_call *call, const bl_signal *signal, const bl_hist
     fputs("from,to,count,density\n", file.stream);
     for (size_t i = 0; i < h->settings.bins; i++) {
         double width = h->edges[i + 1] - h->edges[i];
-        bl_csv_number(file.stream, h->edges[i], ',');
-        bl_csv_number(file.stream, h->edges[i + 1], ',');
+        bl_csv_number(file.stream, h->edges[i]), fputc(',', file.stream);
+        bl_csv_number(file.stream, h->edges[i + 1]), fputc(',', file.stream);
         fprintf(file.stream, "%zu,", h->counts[i]);
-        bl_csv_number(file.stream, (double)h->counts[i] / (double)h->count / width, '\n');
+        bl_csv_number(file.stream, (double)h->counts[i] / (double)h->count / width),
+            fputc('\n', file.stream);
     }
     return bl_csv_close(call, &file);
 }

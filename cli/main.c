@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "cli/json.h"
-#include "cli/plain.h"
+#include "core/plain.h"
 #include "cli/verb.h"
 #include "core/file.h"
 #include "core/grammar.h"

@@ -8,7 +8,7 @@
 
 #include "cli/components.h"
 #include "cli/json.h"
-#include "cli/plain.h"
+#include "core/plain.h"
 #include "cli/verb.h"
 #include "cli/words.h"
 #include "core/grid.h"

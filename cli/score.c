@@ -8,7 +8,7 @@
 
 #include "cli/csv.h"
 #include "cli/json.h"
-#include "cli/plain.h"
+#include "core/plain.h"
 #include "cli/score_table.h"
 #include "cli/scorecard.h"
 #include "cli/words.h"
@@ -111,22 +111,23 @@ static void report_json(bl_call *call, const bl_scorecard *cards, size_t count,
 
 static void write_row(FILE *out, const bl_signal *signal, const bl_property *property,
                       const bl_score_property *result, const bl_score_number *number) {
-    bl_csv_word(out, signal->text, ',');
-    bl_csv_word(out, property->name, ',');
-    bl_csv_word(out, bl_verdict_word(result->verdict), ',');
-    bl_csv_word(out, bl_score_against_word(result->against), ',');
-    bl_csv_word(out, number ? number->name : "", ',');
+    bl_csv_word(out, signal->text), fputc(',', out);
+    bl_csv_word(out, property->name), fputc(',', out);
+    bl_csv_word(out, bl_verdict_word(result->verdict)), fputc(',', out);
+    bl_csv_word(out, bl_score_against_word(result->against)), fputc(',', out);
+    bl_csv_word(out, number ? number->name : ""), fputc(',', out);
     if (!number) {
         fputs(",,,,", out);
     } else {
         int seen = number->estimate.level <= 0;
-        bl_csv_number(out, number->estimate.value, ',');
-        bl_csv_number(out, seen ? NAN : number->estimate.lower, ',');
-        bl_csv_number(out, seen ? NAN : number->estimate.upper, ',');
-        bl_csv_number(out, number->estimate.level, ',');
-        bl_csv_number(out, number->estimate.samples > 0 ? number->estimate.samples : NAN, ',');
+        bl_csv_number(out, number->estimate.value), fputc(',', out);
+        bl_csv_number(out, seen ? NAN : number->estimate.lower), fputc(',', out);
+        bl_csv_number(out, seen ? NAN : number->estimate.upper), fputc(',', out);
+        bl_csv_number(out, number->estimate.level), fputc(',', out);
+        bl_csv_number(out, number->estimate.samples > 0 ? number->estimate.samples : NAN),
+            fputc(',', out);
     }
-    bl_csv_word(out, result->reason, '\n');
+    bl_csv_word(out, result->reason), fputc('\n', out);
 }
 
 // A row for each number; one without a number for a property that has none.

@@ -6,7 +6,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "cli/plain.h"
+#include "core/plain.h"
 
 enum { WIDTH = 120, TERMINAL_WIDTH = 80, LEAST_WIDTH = 40, LONGEST_NAME = 40 };
 

@@ -8,7 +8,7 @@
 
 #include "aliasing/view.h"
 #include "cli/json.h"
-#include "cli/plain.h"
+#include "core/plain.h"
 #include "cli/show_filter.h"
 #include "cli/verb.h"
 #include "cli/words.h"

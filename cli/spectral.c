@@ -7,7 +7,7 @@
 
 #include "cli/csv.h"
 #include "cli/json.h"
-#include "cli/plain.h"
+#include "core/plain.h"
 #include "cli/words.h"
 
 const char *const bl_spectral_places[] = {"random", "lattice", NULL};
@@ -147,14 +147,15 @@ bl_status bl_spectral_csv(bl_call *call, const bl_signal *signal, const bl_psd *
     fprintf(file.stream, "frequency,psd,lower,upper,theory,dof%s\n",
             psd->anisotropy_db ? ",anisotropy_db" : "");
     for (size_t i = 0; i < psd->count; i++) {
-        bl_csv_number(file.stream, psd->frequency[i], ',');
-        bl_csv_number(file.stream, psd->psd[i], ',');
-        bl_csv_number(file.stream, psd->lower[i], ',');
-        bl_csv_number(file.stream, psd->upper[i], ',');
-        bl_csv_number(file.stream, psd->theory ? psd->theory[i] : NAN, ',');
-        bl_csv_number(file.stream, psd->dof[i], psd->anisotropy_db ? ',' : '\n');
+        bl_csv_number(file.stream, psd->frequency[i]), fputc(',', file.stream);
+        bl_csv_number(file.stream, psd->psd[i]), fputc(',', file.stream);
+        bl_csv_number(file.stream, psd->lower[i]), fputc(',', file.stream);
+        bl_csv_number(file.stream, psd->upper[i]), fputc(',', file.stream);
+        bl_csv_number(file.stream, psd->theory ? psd->theory[i] : NAN), fputc(',', file.stream);
+        bl_csv_number(file.stream, psd->dof[i]),
+            fputc(psd->anisotropy_db ? ',' : '\n', file.stream);
         if (psd->anisotropy_db)
-            bl_csv_number(file.stream, psd->anisotropy_db[i], '\n');
+            bl_csv_number(file.stream, psd->anisotropy_db[i]), fputc('\n', file.stream);
     }
     return bl_csv_close(call, &file);
 }

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "cli/json.h"
-#include "cli/plain.h"
+#include "core/plain.h"
 #include "cli/verb.h"
 #include "cli/words.h"
 #include "reports/trade_files.h"
@@ -97,30 +97,22 @@ static bl_status choose(bl_call *call, const trade_subject *subject, const bl_tr
 
 // --- reports ------------------------------------------------------------------------------------
 
-static json_t *alternative_json(const bl_alternative *alternative) {
-    json_t *object = json_object();
-    bl_json_set_text(object, "alternative", alternative->name);
-    bl_json_set_estimate(object, "error", &alternative->error);
-    bl_json_set_number(object, "largest_error", alternative->largest);
-    bl_json_set_number(object, "ns_per_sample", alternative->ns);
-    bl_json_set_number(object, "ns_per_sample_lower", alternative->ns_lowest);
-    bl_json_set_number(object, "ns_per_sample_upper", alternative->ns_highest);
-    json_object_set_new(object, "front", json_boolean(alternative->front));
-    return object;
-}
+#define AT(member) .offset = offsetof(bl_trade, member)
+static const bl_field head_fields[] = {{"trade", NULL, BL_CELL_WORD, AT(name)},
+                                       {"title", NULL, BL_CELL_WORD, AT(title)},
+                                       {"question", NULL, BL_CELL_WORD, AT(question)},
+                                       {"paper", NULL, BL_CELL_WORD, AT(paper)},
+                                       {"error", NULL, BL_CELL_WORD, AT(error_name)},
+                                       {"error_unit", NULL, BL_CELL_WORD, AT(error_unit)},
+                                       {"sample", NULL, BL_CELL_WORD, AT(sample)},
+                                       {0}};
+#undef AT
 
 static json_t *trade_json(const bl_trade *trade, const bl_alternatives *alternatives) {
-    json_t *object = json_object(), *rows = json_array();
-    bl_json_set_text(object, "trade", trade->name);
-    bl_json_set_text(object, "title", trade->title);
-    bl_json_set_text(object, "question", trade->question);
-    bl_json_set_text(object, "paper", trade->paper);
-    bl_json_set_text(object, "error", trade->error_name);
-    bl_json_set_text(object, "error_unit", trade->error_unit);
-    bl_json_set_text(object, "sample", trade->sample);
-    for (size_t i = 0; i < alternatives->count; i++)
-        json_array_append_new(rows, alternative_json(&alternatives->list[i]));
-    json_object_set_new(object, "alternatives", rows);
+    const bl_table head = BL_RECORD(head_fields, trade), rows = bl_trade_table(alternatives);
+    json_t *object = json_object();
+    bl_record_json(object, &head, 0);
+    json_object_set_new(object, "alternatives", bl_table_json(&rows));
     return object;
 }
 
@@ -131,26 +123,10 @@ static void print_head(FILE *out, const trade_subject *subject) {
 }
 
 static void print_trade(FILE *out, const bl_trade *trade, const bl_alternatives *alternatives) {
-    int width = 11;
-    for (size_t i = 0; i < alternatives->count; i++) {
-        int letters = (int)strlen(alternatives->list[i].name);
-        width = letters > width ? letters : width;
-    }
-    fprintf(out, "\n%s: %s\n", trade->name, trade->question);
-    fprintf(out, "error: %s, %s\ntime: nanoseconds for %s\n\n", trade->error_name,
-            trade->error_unit, trade->sample);
-    fprintf(out, "  %-*s  %-10s %-23s  %-10s  %-10s %s\n", width, "alternative", "error",
-            "95 % interval", "largest", "ns", "half of the turns");
-    for (size_t i = 0; i < alternatives->count; i++) {
-        const bl_alternative *a = &alternatives->list[i];
-        char largest[32] = "", interval[64];
-        if (isfinite(a->largest))
-            snprintf(largest, sizeof largest, "%.3g", a->largest);
-        snprintf(interval, sizeof interval, "%.3g to %.3g", a->error.lower, a->error.upper);
-        fprintf(out, "%c %-*s  %-10.3g %-23s  %-10s  %-10.4g %.4g to %.4g\n", a->front ? '*' : ' ',
-                width, a->name, a->error.value, interval, largest, a->ns, a->ns_lowest,
-                a->ns_highest);
-    }
+    const bl_table rows = bl_trade_table(alternatives);
+    fprintf(out, "\n%s: %s\nerror: %s, %s\ntime: nanoseconds for %s\n\n", trade->name,
+            trade->question, trade->error_name, trade->error_unit, trade->sample);
+    bl_table_print(&rows, out);
 }
 
 static bl_status run_one(bl_call *call, const trade_subject *subject, const bl_trade *trade,

@@ -105,8 +105,9 @@ int bl_call_threads(const bl_call *call);
 void bl_progress(const bl_call *call, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-// The word of a verdict, coloured when the report goes to a terminal and NO_COLOR is not set. The
-// result is constant text.
+// Whether verdicts are coloured: the report goes to a terminal and NO_COLOR is not set.
+int bl_call_coloured(const bl_call *call);
+// The word of a verdict, coloured if they are. The result is constant text.
 const char *bl_call_verdict(const bl_call *call, bl_verdict verdict);
 
 #endif

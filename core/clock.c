@@ -2,7 +2,9 @@
 #include "core/clock.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 enum { MOST_ROUNDS = 101, BLOCKS = 6 };
@@ -93,4 +95,20 @@ void bl_time_by_turns(const bl_work *works, size_t count, int rounds, double tur
         times[w] = summarise(taken + w * turns, turns);
     free(runs);
     free(taken);
+}
+
+void bl_processor_name(char *name, size_t size) {
+    char line[256];
+    snprintf(name, size, "unknown");
+    FILE *info = fopen("/proc/cpuinfo", "r");
+    while (info && fgets(line, sizeof line, info)) {
+        char *colon = strchr(line, ':');
+        if (strncmp(line, "model name", 10) != 0 || !colon)
+            continue;
+        colon[strcspn(colon, "\n")] = '\0';
+        snprintf(name, size, "%s", colon + 1 + (colon[1] == ' '));
+        break;
+    }
+    if (info)
+        fclose(info);
 }

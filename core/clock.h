@@ -33,4 +33,7 @@ typedef struct bl_time {
 void bl_time_by_turns(const bl_work *works, size_t count, int rounds, double turn_seconds,
                       bl_time *times);
 
+// What the kernel calls the processor; "unknown" where it does not say.
+void bl_processor_name(char *name, size_t size);
+
 #endif

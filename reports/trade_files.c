@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "core/csv.h"
 #include "core/version.h"
 #include "reports/output.h"
 
@@ -74,62 +75,76 @@ void bl_trade_plot_describe(const bl_trade *trade, const bl_alternatives *altern
         .title = trade->question, .x = x, .y = y, .panels = &plot->panel, .panel_count = 1};
 }
 
-// Numbers that are not known are empty fields.
-static void put_number(FILE *out, double number, char end) {
-    if (isfinite(number))
-        fprintf(out, "%.9g", number);
-    fputc(end, out);
+static void find_log_error(const bl_table *table, size_t row, bl_cell *cell) {
+    cell->value = bl_trade_log_error((const bl_alternative *)table->rows + row);
 }
 
-static void put_row(FILE *out, const bl_alternative *a) {
-    fprintf(out, "\"%s\",", a->name);
-    put_number(out, a->error.value, ',');
-    put_number(out, a->error.lower, ',');
-    put_number(out, a->error.upper, ',');
-    put_number(out, a->largest, ',');
-    put_number(out, a->ns, ',');
-    put_number(out, a->ns_lowest, ',');
-    put_number(out, a->ns_highest, ',');
-    put_number(out, bl_trade_log_error(a), ',');
-    fprintf(out, "%d\n", a->front);
+#define AT(member) .offset = offsetof(bl_alternative, member)
+static const bl_field fields[] = {
+    {"front", "", BL_CELL_FLAG, AT(front), .forms = BL_IN_TEXT},
+    {"alternative", "alternative", BL_CELL_WORD, AT(name)},
+    {"error", "error", BL_CELL_ESTIMATE, AT(error), .digits = 3, .limits = ""},
+    {"largest_error", "largest", BL_CELL_REAL, AT(largest), .digits = 3},
+    {"ns_per_sample", "ns", BL_CELL_ESTIMATE, AT(ns), .limits = "half of the turns"},
+    {"log10_error", NULL, BL_CELL_REAL, .find = find_log_error, .forms = BL_IN_CSV},
+    {"front", NULL, BL_CELL_FLAG, AT(front), .forms = BL_IN_CSV | BL_IN_JSON},
+    {0}};
+#undef AT
+
+bl_table bl_trade_table(const bl_alternatives *alternatives) {
+    return (bl_table){.fields = fields,
+                      .rows = alternatives->list,
+                      .count = alternatives->count,
+                      .stride = sizeof *alternatives->list,
+                      .level = 0.95};
 }
 
 static bl_status write_table(const bl_trade *trade, const char *subject, const char *folder,
-                             const char *name, const bl_alternatives *alternatives,
-                             const size_t *order, size_t count, bl_message *message) {
+                             const char *name, const bl_table *table, bl_message *message) {
     bl_file file;
+    char text[256];
     bl_status status = bl_output_create(folder, name, "csv", &file, message);
     if (status != BL_OK)
         return status;
-    fprintf(file.stream, "# version: %s\n# trade: %s\n# subject: ", BL_VERSION, trade->name);
-    for (const char *c = subject; *c; c++)
-        fputc((unsigned char)*c < ' ' ? ' ' : *c, file.stream);
-    fprintf(file.stream,
-            "\n# error: %s, %s; time: nanoseconds for %s, the median and the quarters\n"
-            "alternative,error,error_lower,error_upper,largest_error,ns_per_sample,"
-            "ns_per_sample_lower,ns_per_sample_upper,log10_error,front\n",
-            trade->error_name, trade->error_unit, trade->sample);
-    for (size_t i = 0; i < count; i++)
-        put_row(file.stream, &alternatives->list[order ? order[i] : i]);
+    bl_csv_comment(file.stream, "version", BL_VERSION);
+    bl_csv_comment(file.stream, "trade", trade->name);
+    bl_csv_comment(file.stream, "subject", subject);
+    snprintf(text, sizeof text, "%s, %s; time: nanoseconds for %s, the median and the quarters",
+             trade->error_name, trade->error_unit, trade->sample);
+    bl_csv_comment(file.stream, "error", text);
+    bl_table_csv(table, file.stream);
     return bl_file_commit(&file, message);
+}
+
+static bl_status write_front(const bl_trade *trade, const char *subject, const char *folder,
+                             const bl_alternatives *alternatives, bl_message *message) {
+    char name[96];
+    size_t *order = malloc((alternatives->count + 1) * sizeof *order);
+    bl_alternative *rows = malloc((alternatives->count + 1) * sizeof *rows);
+    bl_table table = bl_trade_table(alternatives);
+    snprintf(name, sizeof name, "%s-front", trade->name);
+    table.rows = rows;
+    table.count = order && rows ? bl_trade_front(alternatives, order) : 0;
+    for (size_t i = 0; i < table.count; i++)
+        rows[i] = alternatives->list[order[i]];
+    bl_status status = order && rows
+                           ? write_table(trade, subject, folder, name, &table, message)
+                           : bl_report(message, BL_DEVICE, "out of memory for '%s'", folder);
+    free(order);
+    free(rows);
+    return status;
 }
 
 bl_status bl_trade_files_write(const bl_trade *trade, const char *subject,
                                const bl_alternatives *alternatives, const char *folder,
                                bl_message *message) {
-    char front[96];
     bl_trade_plot plot;
-    size_t *order = malloc((alternatives->count + 1) * sizeof *order);
-    bl_status status = order ? bl_make_folder(folder, message)
-                             : bl_report(message, BL_DEVICE, "out of memory for '%s'", folder);
-    snprintf(front, sizeof front, "%s-front", trade->name);
+    const bl_table table = bl_trade_table(alternatives);
+    bl_status status = bl_make_folder(folder, message);
     if (status == BL_OK)
-        status = write_table(trade, subject, folder, trade->name, alternatives, NULL,
-                             alternatives->count, message);
+        status = write_table(trade, subject, folder, trade->name, &table, message);
     if (status == BL_OK)
-        status = write_table(trade, subject, folder, front, alternatives, order,
-                             bl_trade_front(alternatives, order), message);
-    free(order);
+        status = write_front(trade, subject, folder, alternatives, message);
     bl_trade_plot_describe(trade, alternatives, trade->name, &plot);
     if (status == BL_OK)
         status = bl_plot_write(&plot.plot, folder, trade->name, 0, message);

@@ -4,8 +4,12 @@
 #ifndef BL_REPORTS_TRADE_FILES_H
 #define BL_REPORTS_TRADE_FILES_H
 
-#include "score/trade.h"
+#include "core/table.h"
 #include "reports/plot.h"
+#include "score/trade.h"
+
+// The alternatives as a table; valid as long as they are.
+bl_table bl_trade_table(const bl_alternatives *alternatives);
 
 // A plot and all that it points to.
 typedef struct bl_trade_plot {

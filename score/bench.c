@@ -40,11 +40,13 @@ int bl_bench_add(bl_bench *bench, const bl_bench_row *row) {
     added->yardstick = per_sample(row->yardstick, row->samples);
     added->ratio = row->yardstick.minimum / row->candidate.minimum;
     added->floor = floor_of(row);
+    added->transforms = 1 / added->ratio;
+    added->ceiling = 1 / added->floor;
+    added->met = added->ratio >= added->floor;
+    added->verdict = isnan(added->floor) ? BL_VERDICT_NOT_RUN
+                     : added->met        ? BL_VERDICT_PASS
+                                         : BL_VERDICT_FAIL;
     return 1;
-}
-
-int bl_bench_is_met(const bl_bench_row *row) {
-    return row->ratio >= row->floor;
 }
 
 int bl_bench_is_transform(const bl_bench_row *row) {
@@ -54,7 +56,7 @@ int bl_bench_is_transform(const bl_bench_row *row) {
 size_t bl_bench_missed(const bl_bench *bench) {
     size_t missed = 0;
     for (size_t i = 0; i < bench->count; i++)
-        missed += !isnan(bench->rows[i].floor) && !bl_bench_is_met(&bench->rows[i]);
+        missed += bench->rows[i].verdict == BL_VERDICT_FAIL;
     return missed;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/clock.h"
 #include "core/signal.h"
+#include "core/verdict.h"
 #include "noises/noise.h"
 
 // What one row says. NAN stands for what does not apply.
@@ -19,10 +20,13 @@ typedef struct bl_bench_row {
     bl_time candidate;   // nanoseconds a sample
     const char *against; // what the yardstick is: "textbook", "reference", "transform"; NULL: none
     bl_time yardstick;
-    double ratio;     // yardstick / candidate by the minima: above 1 is faster
-    double max_error; // against the double reference; NAN for a peer
-    double floor;     // the least ratio asked for
-    int peer;         // another library, beside which ours stands
+    double ratio;               // yardstick / candidate by the minima: above 1 is faster
+    double max_error;           // against the double reference; NAN for a peer
+    double floor;               // the least ratio asked for
+    double transforms, ceiling; // 1 / ratio and 1 / floor: what is measured in transforms
+    int met;                    // whether the floor is
+    bl_verdict verdict;
+    int peer; // another library, beside which ours stands
 } bl_bench_row;
 
 typedef struct bl_bench {
@@ -41,9 +45,7 @@ typedef struct bl_bench {
 // up its floor. False if out of memory.
 int bl_bench_add(bl_bench *bench, const bl_bench_row *row);
 
-// Whether the row is at least as fast as its floor; and whether it is measured in transforms, of
-// which fewer is better, and not in textbook loops.
-int bl_bench_is_met(const bl_bench_row *row);
+// Whether the row is measured in transforms, of which fewer is better, and not in textbook loops.
 int bl_bench_is_transform(const bl_bench_row *row);
 // The rows that have a floor and miss it.
 size_t bl_bench_missed(const bl_bench *bench);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "cli/plain.h"
+#include "core/plain.h"
 
 #include <math.h>
+#include <string.h>
 
 // Bytes of the UTF-8 letter at `at` if a terminal only shows it; 0 for a control character (C0,
 // delete, C1) and for what is not UTF-8.
@@ -15,8 +16,8 @@ static size_t letter_length(const unsigned char *at) {
     return at[0] == 0xc2 && at[1] < 0xa0 ? 0 : length;
 }
 
-void bl_plain_text(FILE *out, const char *text) {
-    for (const unsigned char *at = (const unsigned char *)text; *at;) {
+static void put_letters(FILE *out, const char *text, const char *end) {
+    for (const unsigned char *at = (const unsigned char *)text; at < (const unsigned char *)end;) {
         size_t length = letter_length(at);
         if (length)
             fwrite(at, 1, length, out);
@@ -24,6 +25,53 @@ void bl_plain_text(FILE *out, const char *text) {
             fprintf(out, "\\x%02x", *at);
         at += length ? length : 1;
     }
+}
+
+static size_t count_columns(const char *text, const char *end) {
+    size_t columns = 0;
+    for (const unsigned char *at = (const unsigned char *)text; at < (const unsigned char *)end;) {
+        size_t length = letter_length(at);
+        columns += length ? 1 : 4; // \xNN
+        at += length ? length : 1;
+    }
+    return columns;
+}
+
+void bl_plain_text(FILE *out, const char *text) {
+    put_letters(out, text, text + strlen(text));
+}
+
+size_t bl_plain_width(const char *text) {
+    return count_columns(text, text + strlen(text));
+}
+
+size_t bl_plain_wrap(FILE *out, const char *text, size_t column, size_t indent, size_t width) {
+    for (size_t length; text += strspn(text, " "), length = strcspn(text, " "), length;
+         text += length) {
+        size_t columns = count_columns(text, text + length);
+        if (column > indent && column + 1 + columns > width) {
+            fprintf(out, "\n%*s", (int)indent, "");
+            column = indent;
+        } else if (column > indent) {
+            fputc(' ', out);
+            column++;
+        }
+        put_letters(out, text, text + length);
+        column += columns;
+    }
+    return column;
+}
+
+const char *bl_plain_colour(bl_verdict verdict, int coloured) {
+    static const char *const colours[] = {[BL_VERDICT_PASS] = "\033[32m",
+                                          [BL_VERDICT_INCONCLUSIVE] = "\033[33m",
+                                          [BL_VERDICT_FAIL] = "\033[31m",
+                                          [BL_VERDICT_NOT_RUN] = ""};
+    return coloured ? colours[verdict] : "";
+}
+
+const char *bl_plain_end(int coloured) {
+    return coloured ? "\033[0m" : "";
 }
 
 void bl_plain_number(FILE *out, double number, int digits) {
