@@ -46,6 +46,25 @@ bl_alias_settings bl_alias_default_settings(void) {
                                .seed = 1};
 }
 
+bl_alias_settings bl_alias_settings_of_size(bl_size size) {
+    bl_alias_settings settings = bl_alias_default_settings();
+    if (size == BL_QUICK) {
+        settings.replicates = 3;
+        settings.finest = 8;
+        settings.frames = 4;
+        settings.rounds = 15;
+        settings.turn_seconds = 2e-4;
+        settings.most_samples = 64;
+    } else if (size == BL_FULL) {
+        settings.replicates = 16;
+        settings.frames = 16;
+        settings.rounds = 101;
+        settings.turn_seconds = 1e-3;
+        settings.most_samples = 1 << 14;
+    }
+    return settings;
+}
+
 static bl_status out_of_memory(bl_message *message) {
     return bl_report(message, BL_DEVICE, "out of memory for the measurement of aliasing");
 }

@@ -23,6 +23,7 @@
 
 #include "aliasing/method.h"
 #include "aliasing/reference.h"
+#include "core/size.h"
 #include "core/statistics.h"
 
 typedef struct bl_alias_settings {
@@ -41,7 +42,8 @@ typedef struct bl_alias_settings {
     const char *cache; // folder of converged references; NULL: none is kept
 } bl_alias_settings;
 
-bl_alias_settings bl_alias_default_settings(void);
+bl_alias_settings bl_alias_default_settings(void); // of normal size
+bl_alias_settings bl_alias_settings_of_size(bl_size size);
 
 enum { BL_ALIAS_RINGS = 32 };
 

@@ -25,17 +25,11 @@ static const char axes[] = "xyzw";
 
 static bl_advise_settings settings_of(const bl_call *call, double tolerance) {
     const advise_options *options = call->settings;
-    bl_advise_settings settings = {
-        .tolerance = tolerance, .largest = options->largest, .alias = bl_alias_default_settings()};
-    bl_alias_settings *alias = &settings.alias;
-    alias->frames = 0;
-    alias->seed = call->common.seed;
-    alias->threads = bl_call_threads(call);
-    alias->rounds = (int)bl_size_pick(call->size, 9, 25, 101);
-    alias->turn_seconds = bl_size_pick(call->size, 5e-4, 2e-3, 2e-3);
-    alias->replicates = call->size == BL_FULL ? 8 : 2;
-    alias->finest = call->size == BL_QUICK ? 4 : 8;
-    alias->most_samples = (uint32_t)bl_size_pick(call->size, 256, 1024, 1 << 14);
+    bl_advise_settings settings = bl_advise_settings_of_size(call->size);
+    settings.tolerance = tolerance;
+    settings.largest = options->largest;
+    settings.alias.seed = call->common.seed;
+    settings.alias.threads = bl_call_threads(call);
     return settings;
 }
 

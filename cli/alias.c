@@ -68,25 +68,11 @@ static bl_status choose_methods(bl_call *call, const bl_signal *signal, bl_words
 
 static bl_alias_settings settings_of(const bl_call *call) {
     const alias_options *options = call->settings;
-    bl_alias_settings settings = bl_alias_default_settings();
+    bl_alias_settings settings = bl_alias_settings_of_size(call->size);
     settings.pixel = strcmp(options->pixel, "gaussian") == 0 ? BL_PIXEL_GAUSSIAN : BL_PIXEL_BOX;
     settings.seed = call->common.seed;
     settings.threads = bl_call_threads(call);
     settings.cache = options->cache;
-    if (call->size == BL_QUICK) {
-        settings.replicates = 3;
-        settings.finest = 8;
-        settings.frames = 4;
-        settings.rounds = 15;
-        settings.turn_seconds = 2e-4;
-        settings.most_samples = 64;
-    } else if (call->size == BL_FULL) {
-        settings.replicates = 16;
-        settings.frames = 16;
-        settings.rounds = 101;
-        settings.turn_seconds = 1e-3;
-        settings.most_samples = 1 << 14;
-    }
     return settings;
 }
 

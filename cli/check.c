@@ -62,28 +62,6 @@ static void report_text(bl_call *call, const bl_signal *signal, const bl_psd *ps
                 limit->needed_averages);
 }
 
-// A verdict needs a variance, and frequencies on both sides: in the band and outside of it.
-static bl_status judgeable(const bl_psd *psd, const bl_band_limit *limit, bl_message *message) {
-    static const char remedy[] = "sample more finely (--rate; of an image spacing=)";
-    double nyquist = 0.5 * psd->settings.rate;
-    if (!(psd->variance.value > 0))
-        return bl_report(message, BL_MISMATCH,
-                         "the signal is constant: there is no variance to judge");
-    if (limit->from >= nyquist)
-        return bl_report(message, BL_MISMATCH,
-                         "the band %g : %g begins beyond the highest frequency measured, %g cycles "
-                         "per unit; %s, or move --band",
-                         limit->from, limit->to, nyquist, remedy);
-    if (!bl_psd_has_outside(psd, limit))
-        return bl_report(message, BL_MISMATCH,
-                         "nothing is left to judge outside of the band %g : %g with a guard of "
-                         "%.3g: frequencies were measured up to %g cycles per unit; %s, or narrow "
-                         "--band or --guard",
-                         limit->from, limit->to, limit->guard, nyquist,
-                         isfinite(limit->to) ? remedy : "give the band an end");
-    return BL_OK;
-}
-
 // Finds the verdict and gives it to the user.
 static bl_status judge(bl_call *call, const bl_signal *signal, const bl_psd *psd,
                        bl_band_limit *limit) {
@@ -134,7 +112,7 @@ static bl_status run_check(bl_call *call) {
     status = bl_spectral_measure(call, &settings->spectral, signal, &psd);
     if (status == BL_OK) {
         limit.guard = settings->guard >= 0 ? settings->guard : bl_psd_guard(&psd);
-        status = judgeable(&psd, &limit, &call->message);
+        status = bl_psd_check_limit(&psd, &limit, &call->message);
         if (status == BL_OK)
             status = judge(call, signal, &psd, &limit);
         bl_psd_free(&psd);

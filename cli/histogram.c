@@ -129,10 +129,8 @@ static bl_status write_csv(bl_call *call, const bl_signal *signal, const bl_hist
 static bl_status settle(bl_call *call, bl_histogram_settings *settings) {
     const histogram_options *options = call->settings;
     *settings = bl_histogram_default_settings();
-    if (options->samples)
-        settings->samples = options->samples;
-    else if (call->size != BL_NORMAL)
-        settings->samples = call->size == BL_QUICK ? 1 << 16 : 1 << 26;
+    settings->samples =
+        options->samples ? options->samples : bl_histogram_usual_samples(call->size);
     settings->bins = options->bins;
     settings->level = options->level;
     settings->threads = bl_call_threads(call);

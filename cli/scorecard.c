@@ -15,26 +15,6 @@ bl_score_settings bl_scorecard_settings(const bl_call *call, double alpha, size_
     return settings;
 }
 
-// The same noise for the other instruction sets that run here.
-static bl_status open_variants(bl_call *call, const char *text, bl_score_subject *subject,
-                               bl_signal *variants[BL_SCORE_VARIANTS]) {
-    bl_isa own = call->isa == BL_ISA_BEST ? bl_isa_best() : call->isa;
-    if (!bl_noise_find(subject->signal->name, BL_ISA_BASELINE))
-        return BL_OK;
-    for (int isa = 0; isa < BL_ISA_COUNT && subject->variant_count < BL_SCORE_VARIANTS; isa++) {
-        size_t k = subject->variant_count;
-        if (isa == (int)own || !bl_isa_runs_here((bl_isa)isa))
-            continue;
-        bl_status status = bl_noise_open(text, (bl_isa)isa, &variants[k], &call->message);
-        if (status != BL_OK)
-            return status;
-        subject->variants[k] = variants[k];
-        subject->variant_names[k] = bl_isa_name((bl_isa)isa);
-        subject->variant_count++;
-    }
-    return BL_OK;
-}
-
 // The values of a source that has failed are not numbers, and no property is to judge them.
 static bl_status measure_each(bl_call *call, const char *doing, const bl_score_subject *subject,
                               const bl_score_settings *settings, uint64_t wanted, bl_score *score) {
@@ -58,14 +38,13 @@ static bl_status measure_each(bl_call *call, const char *doing, const bl_score_s
 bl_status bl_scorecard_measure(bl_call *call, const char *text, const char *doing,
                                const bl_score_settings *settings, uint64_t wanted,
                                bl_scorecard *card) {
-    bl_signal *variants[BL_SCORE_VARIANTS] = {NULL};
-    bl_score_subject subject = {0};
-    subject.signal = card->signal;
-    bl_status status = open_variants(call, text, &subject, variants);
-    if (status == BL_OK)
+    bl_score_subject subject;
+    bl_status status =
+        bl_score_subject_open(card->signal, text, call->isa, &subject, &call->message);
+    if (status == BL_OK) {
         status = measure_each(call, doing, &subject, settings, wanted, &card->score);
-    for (size_t v = 0; v < subject.variant_count; v++)
-        bl_signal_free(variants[v]);
+        bl_score_subject_close(&subject);
+    }
     return status;
 }
 

@@ -16,13 +16,6 @@ static int on_grid(const bl_signal *signal) {
     return signal->extent.size[0] != 0;
 }
 
-// An image has the averages that it has.
-static size_t averages_of(const bl_call *call, const bl_signal *signal, unsigned dims) {
-    static const size_t normal[] = {256, 16, 8};
-    size_t count = on_grid(signal) ? 0 : normal[dims - 1];
-    return call->size == BL_QUICK ? count / 4 : call->size == BL_FULL ? count * 16 : 0;
-}
-
 bl_status bl_spectral_settings(bl_call *call, const bl_spectral *options, const bl_signal *signal,
                                bl_psd_settings *settings) {
     unsigned dims = (unsigned)options->dims;
@@ -30,7 +23,8 @@ bl_status bl_spectral_settings(bl_call *call, const bl_spectral *options, const 
     *settings = bl_psd_default_settings(dims);
     settings->rate = options->rate;
     settings->size = options->size;
-    settings->averages = options->averages ? options->averages : averages_of(call, signal, dims);
+    settings->averages =
+        options->averages ? options->averages : bl_psd_usual_averages(signal, dims, call->size);
     settings->level = options->level;
     settings->threads = bl_call_threads(call);
     if (call->common.seed_word)

@@ -115,6 +115,18 @@ void bl_advice_choose(bl_advice *advice, double tolerance) {
             advice->cheaper = i;
 }
 
+bl_advise_settings bl_advise_settings_of_size(bl_size size) {
+    bl_advise_settings settings = {.tolerance = 1.0 / 255, .alias = bl_alias_default_settings()};
+    bl_alias_settings *alias = &settings.alias;
+    alias->frames = 0;
+    alias->rounds = (unsigned)bl_size_pick(size, 9, 25, 101);
+    alias->turn_seconds = bl_size_pick(size, 5e-4, 2e-3, 2e-3);
+    alias->replicates = size == BL_FULL ? 8 : 2;
+    alias->finest = size == BL_QUICK ? 4 : 8;
+    alias->most_samples = (uint32_t)bl_size_pick(size, 256, 1024, 1 << 14);
+    return settings;
+}
+
 bl_status bl_advise(const bl_signal *signal, const bl_view *view, const char *const *methods,
                     size_t count, const bl_advise_settings *settings, bl_advice *advice,
                     bl_message *message) {

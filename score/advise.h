@@ -19,6 +19,9 @@ typedef struct bl_advise_settings {
     bl_alias_settings alias;
 } bl_advise_settings;
 
+// 1/255 of the root mean square, and what is measured of aliasing for that: no moving pictures.
+bl_advise_settings bl_advise_settings_of_size(bl_size size);
+
 // What of the signal a view shows.
 typedef struct bl_scene_needs {
     double least_width, most_width; // of a sample along any axis that varies; NAN: none varies

@@ -22,6 +22,7 @@
 #include "core/size.h"
 #include "core/statistics.h"
 #include "core/verdict.h"
+#include "noises/noise.h"
 
 enum {
     BL_SCORE_NUMBERS = 40,    // of a property, at most
@@ -66,6 +67,13 @@ typedef struct bl_score_subject {
     const char *variant_names[BL_SCORE_VARIANTS];
     size_t variant_count;
 } bl_score_subject;
+
+// The signal, and where it is a noise the same noise, by its text, for the other instruction sets
+// that run here. On success the caller ends with bl_score_subject_close, which leaves the signal
+// open. Errors: BL_DEVICE out of memory.
+bl_status bl_score_subject_open(const bl_signal *signal, const char *text, bl_isa isa,
+                                bl_score_subject *subject, bl_message *message);
+void bl_score_subject_close(bl_score_subject *subject);
 
 typedef struct bl_score_settings {
     double alpha; // in bl_score_measure: of the whole table; in a property: its own share

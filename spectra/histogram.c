@@ -29,6 +29,10 @@ bl_histogram_settings bl_histogram_default_settings(void) {
         .samples = (size_t)1 << 20, .bins = 64, .seed = 1, .level = 0.95};
 }
 
+size_t bl_histogram_usual_samples(bl_size size) {
+    return (size_t)bl_size_pick(size, 0x1p16, 0x1p20, 0x1p26);
+}
+
 // --- blocks ---
 
 static size_t grid_size(const bl_sampling *s, unsigned axis) {

@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #include "core/signal.h"
+#include "core/size.h"
 #include "core/statistics.h"
 
 enum { BL_QUANTILES = 9 }; // 0.001 0.01 0.05 0.25 0.5 0.75 0.95 0.99 0.999
@@ -38,6 +39,7 @@ typedef struct bl_histogram {
 
 // 2^20 samples, 64 bins over the observed range, seed 1, level 0.95, all threads.
 bl_histogram_settings bl_histogram_default_settings(void);
+size_t bl_histogram_usual_samples(bl_size size); // 2^16, 2^20, 2^26
 
 // Measures the distribution of a signal's values. On success the caller frees the result with
 // bl_histogram_free; on failure there is nothing to free. The result does not depend on the number

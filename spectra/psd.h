@@ -21,6 +21,7 @@
 #include <stdint.h>
 
 #include "core/signal.h"
+#include "core/size.h"
 #include "core/statistics.h"
 #include "core/verdict.h"
 #include "spectra/window.h"
@@ -83,6 +84,8 @@ typedef struct bl_psd {
 } bl_psd;
 
 bl_psd_settings bl_psd_default_settings(unsigned dims);
+// Averages for a size of work, for the settings; 0 where they follow from the signal's grid.
+size_t bl_psd_usual_averages(const bl_signal *signal, unsigned dims, bl_size size);
 
 // Measures. On success the caller frees the result with bl_psd_free.
 // Errors: BL_USAGE for sizes below 8, a zero axis, or a setting out of its range; BL_MISMATCH for a
@@ -133,6 +136,10 @@ void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit);
 // Whether anything is left to judge outside of the band: a bin other than that of frequency 0,
 // which holds only what is left of the mean, that lies wholly outside of the band and its guard.
 int bl_psd_has_outside(const bl_psd *psd, const bl_band_limit *limit);
+
+// Whether a verdict on this limit makes sense. Errors: BL_MISMATCH for a constant signal, and where
+// nothing was measured in the band or outside of it.
+bl_status bl_psd_check_limit(const bl_psd *psd, const bl_band_limit *limit, bl_message *message);
 
 // Half the width of the window's main lobe in cycles per unit: a guard of this size keeps the
 // window's own smear of power just inside an edge from being read as the signal's leak.

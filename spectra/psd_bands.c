@@ -176,3 +176,25 @@ void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit) {
         limit->needed_averages = needed < 1e15 ? (size_t)needed : (size_t)1e15; // NaN too
     }
 }
+
+// A verdict needs a variance, and frequencies on both sides: in the band and outside of it.
+bl_status bl_psd_check_limit(const bl_psd *psd, const bl_band_limit *limit, bl_message *message) {
+    static const char remedy[] = "sample more finely (--rate; of an image spacing=)";
+    double nyquist = 0.5 * psd->settings.rate;
+    if (!(psd->variance.value > 0))
+        return bl_report(message, BL_MISMATCH,
+                         "the signal is constant: there is no variance to judge");
+    if (limit->from >= nyquist)
+        return bl_report(message, BL_MISMATCH,
+                         "the band %g : %g begins beyond the highest frequency measured, %g cycles "
+                         "per unit; %s, or move --band",
+                         limit->from, limit->to, nyquist, remedy);
+    if (!bl_psd_has_outside(psd, limit))
+        return bl_report(message, BL_MISMATCH,
+                         "nothing is left to judge outside of the band %g : %g with a guard of "
+                         "%.3g: frequencies were measured up to %g cycles per unit; %s, or narrow "
+                         "--band or --guard",
+                         limit->from, limit->to, limit->guard, nyquist,
+                         isfinite(limit->to) ? remedy : "give the band an end");
+    return BL_OK;
+}

@@ -31,6 +31,13 @@ bl_psd_settings bl_psd_default_settings(unsigned dims) {
                              .level = 0.95};
 }
 
+size_t bl_psd_usual_averages(const bl_signal *signal, unsigned dims, bl_size size) {
+    static const double normal[] = {256, 16, 8};
+    if (signal->extent.size[0] || dims < 1 || dims > 3 || size == BL_NORMAL)
+        return 0; // an image has the averages that it has
+    return (size_t)(normal[dims - 1] * bl_size_pick(size, 0.25, 1, 16));
+}
+
 static bl_status check_settings(const bl_psd_settings *settings, bl_message *message) {
     if (settings->dims < 1 || settings->dims > 3)
         return bl_report(message, BL_USAGE,
