@@ -3,7 +3,7 @@
 #   make            the program and the libraries          make check      all tests
 #   make reproduce  the figures, into out/                 make bench      the benchmark
 #   make install    PREFIX=/usr/local LIBDIR=$PREFIX/lib DESTDIR=
-#   make format     clang-format
+#   make format     clang-format              make docs       the tables of docs/
 #   make asan, ubsan, tsan   the quick tests under a sanitizer; sanitize: the first two at once
 #   make V=1        shows the commands
 #   make check T=word    only the tests whose name has the word; SCALE=1 repeats as often as CI does
@@ -63,7 +63,7 @@ ISA_FLAGS_v4 := -march=x86-64-v4 -mtune=icelake-server -mprefer-vector-width=512
 Q := $(if $(V),,@)
 say = $(if $(V),,@printf '  %-8s %s\n' $(1) $@)
 
-.PHONY: all tests check reproduce bench install deps format clean asan ubsan sanitize tsan
+.PHONY: all tests check reproduce bench docs install deps format clean asan ubsan sanitize tsan
 .DELETE_ON_ERROR:
 all: $(BUILD)/bandlimit $(BUILD)/bandlimit-images.so $(BUILD)/libbandlimit.a \
     $(BUILD)/libbandlimit.so $(BUILD)/bandlimit.pc
@@ -194,6 +194,11 @@ reproduce: deps
 
 bench: all
 	$(BUILD)/bandlimit bench
+
+# The tables that the program writes of itself; a test holds noises.md to it.
+docs: all
+	sh docs/tables.sh $(BUILD)/bandlimit noises > $(BUILD)/noises.md && mv $(BUILD)/noises.md docs/
+	sh docs/tables.sh $(BUILD)/bandlimit speeds > $(BUILD)/speeds.md && mv $(BUILD)/speeds.md docs/
 
 install: all
 	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(LIBDIR)/bandlimit $(DESTDIR)$(LIBDIR)/pkgconfig \

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Every source that is cited by a key is in REFERENCES.md: the papers of the noises and of the
-// figures, and whatever else reads like a key (letters and a year, as perlin1985) in the sources.
+// figures, and whatever else reads like a key (letters and a year, as perlin1985) in the sources;
+// and its table of figures has every figure beside its source, and no other.
 #include "tests/test.h"
 
 #include <ctype.h>
@@ -101,16 +102,56 @@ static void test_the_papers_of_figures_are_listed(void **state) {
         check_source(bl_figure_at(n)->paper, bl_figure_at(n)->name);
 }
 
+// Rows "| source | `figure`, `figure` |", the source being a key or "bandlimit": our own.
+static void test_the_table_of_figures_is_that_of_the_registry(void **state) {
+    (void)state;
+    char *text = read_whole("REFERENCES.md"), *row = strstr(text, "\n| source | figures |");
+    size_t listed = 0;
+    assert_non_null(row);
+    for (row = strtok(row, "\n"); row && *row == '|'; row = strtok(NULL, "\n")) {
+        char source[KEY_SIZE] = "", name[64];
+        sscanf(row, "| %31[a-z0-9]", source);
+        for (char *at = strchr(row + 2, '|'); at && (at = strchr(at, '`'));
+             at += strlen(name) + 2) {
+            assert_int_equal(sscanf(at, "`%63[^`]", name), 1);
+            const bl_figure *figure = bl_figure_find(name);
+            if (!figure || strncmp(figure->paper, source, strlen(source)) != 0)
+                fail_msg("REFERENCES.md: %s is no figure of %s", name, source);
+            listed++;
+        }
+    }
+    assert_int_equal(listed, bl_figure_count());
+    free(text);
+}
+
 // Names of noises and of functions look like keys too: `perlin2002` is both, hart2001_1 neither.
 static void test_the_keys_in_the_sources_are_listed(void **state) {
     (void)state;
-    static const char *const folders[] = {"core",     "noises",          "filters",
-                                          "textures", "spectra",         "score",
-                                          "reports",  "reports/figures", "cli"};
+    static const char *const folders[] = {"core",
+                                          "filters",
+                                          "filters/primitives",
+                                          "noises",
+                                          "noises/lattice",
+                                          "noises/impulses",
+                                          "noises/tiles",
+                                          "noises/octaves",
+                                          "textures",
+                                          "sources",
+                                          "spectra",
+                                          "aliasing",
+                                          "aliasing/views",
+                                          "aliasing/methods",
+                                          "score",
+                                          "score/properties",
+                                          "score/trades",
+                                          "reports",
+                                          "reports/figures",
+                                          "cli"};
     size_t count = 0;
     for (size_t f = 0; f < sizeof folders / sizeof *folders; f++) {
         DIR *folder = opendir(folders[f]);
-        for (struct dirent *entry; folder && (entry = readdir(folder));) {
+        assert_non_null(folder);
+        for (struct dirent *entry; (entry = readdir(folder));) {
             char path[512];
             const char *ending = strrchr(entry->d_name, '.');
             if (!ending || (strcmp(ending, ".c") && strcmp(ending, ".h") && strcmp(ending, ".def")))
@@ -120,8 +161,7 @@ static void test_the_keys_in_the_sources_are_listed(void **state) {
             count += check_keys(text, path);
             free(text);
         }
-        if (folder)
-            closedir(folder);
+        closedir(folder);
     }
     assert_true(count > 50);
 }
@@ -130,6 +170,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_papers_of_noises_are_listed),
         cmocka_unit_test(test_the_papers_of_figures_are_listed),
+        cmocka_unit_test(test_the_table_of_figures_is_that_of_the_registry),
         cmocka_unit_test(test_the_keys_in_the_sources_are_listed),
     };
     bl_set_filter();
