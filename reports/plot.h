@@ -74,7 +74,7 @@ typedef struct bl_plot {
     bl_axis x, y;
     const bl_panel *panels;
     size_t panel_count;
-    size_t columns; // of panels
+    size_t columns; // of panels; 0: one
     double aspect;  // height of a panel over its width; 0: 0.62
     const bl_limit *limits;
     size_t limit_count;

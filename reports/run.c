@@ -172,7 +172,7 @@ static void keep_picture(bl_run *run, const char *name, const bl_plot *plot,
     bl_run_picture *kept = &run->plots[run->plot_count++];
     *kept = (bl_run_picture){.name = keep(run, strdup(name)),
                              .text = keep(run, strdup(alternative)),
-                             .title = keep(run, strdup(plot->title ? plot->title : ""))};
+                             .title = keep(run, strdup(plot->title))};
     const bl_panel *panel = bl_plot_legend(plot);
     for (size_t i = 0; i < panel->series_count && kept->key_count < BL_KEYS; i++)
         if (panel->series[i].label)
@@ -181,18 +181,20 @@ static void keep_picture(bl_run *run, const char *name, const bl_plot *plot,
                              panel->series[i].ink};
 }
 
-void bl_run_plot(bl_run *run, const char *name, const bl_plot *plot, const char *alternative) {
+void bl_run_plot(bl_run *run, const char *name, const bl_plot *wanted, const char *alternative) {
+    bl_plot plot = *wanted;
     int with_pdf = strcmp(run->settings->format, "pdf") == 0;
     const char *folder = run->result.folder;
+    plot.title = plot.title ? plot.title : run->result.figure->question;
     bl_run_step(run, "plotting");
-    bl_run_must(run, bl_plot_write(plot, folder, name, with_pdf, run->message));
+    bl_run_must(run, bl_plot_write(&plot, folder, name, with_pdf, run->message));
     add_file(run, name, "gp");
     bl_run_must(run, bl_plot_run(folder, name, with_pdf, run->message));
     add_file(run, name, "svg");
     add_file(run, name, "png");
     if (with_pdf)
         add_file(run, name, "pdf");
-    keep_picture(run, name, plot, alternative);
+    keep_picture(run, name, &plot, alternative);
 }
 
 // The image's own attributes, then the settings of the run as "bandlimit:NAME".

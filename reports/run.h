@@ -76,8 +76,9 @@ typedef struct bl_column {
 void bl_run_csv(bl_run *run, const char *name, const char *what, const bl_column *columns,
                 size_t column_count, size_t rows);
 
-// Writes NAME.gp and lets gnuplot make NAME.svg and NAME.png of it (and NAME.pdf on request).
-// `alternative` says in words what the plot shows, for those who cannot see it.
+// Writes NAME.gp and lets gnuplot make NAME.svg and NAME.png of it (and NAME.pdf on request). A plot
+// without a title answers the question of the figure. `alternative` says in words what it shows, for
+// those who cannot see it.
 void bl_run_plot(bl_run *run, const char *name, const bl_plot *plot, const char *alternative);
 
 // Writes NAME.exr with the values and NAME.png for the eye. The settings become attributes.

@@ -19,7 +19,7 @@ static const bl_run_picture plots[] = {
      .title = "Does it <rise>?",
      .keys = {{"closed & open", BL_STROKE_DASHED, BL_INK_THEORY}},
      .key_count = 1}};
-static char *files[] = {(char *)"drawing.svg", (char *)"data.csv"};
+static const char *files[] = {"drawing.svg", "data.csv"};
 static const char svg[] = "<svg xmlns=\"http://www.w3.org/2000/svg\"/>";
 
 static bl_claim claim_of(const char *sentence, const char *source, double value) {
@@ -45,7 +45,7 @@ static char *write_example(const char *name) {
     claims[3].measured = (bl_estimate){4, 4, 4, 1, 10};
     claims[4].measured = (bl_estimate){5, 5, 5, 0, 10};
     bl_figure_result result = {.figure = &figure,
-                               .folder = (char *)bl_temporary_path("example-1"),
+                               .folder = bl_temporary_path("example-1"),
                                .files = files,
                                .file_count = 2,
                                .claims = claims,

@@ -151,10 +151,10 @@ static void write_rows(bl_run *run, const subject *s, const bl_alias_result *m) 
         columns[count++] = (bl_column){kind_names[k], drawn[k], NULL};
     columns[count++] = (bl_column){"alias_db", drawn[KINDS], NULL};
     columns[count++] = (bl_column){"blur_db", drawn[KINDS + 1], NULL};
-    bl_run_csv(run, s->key,
-               "alias and blur of each method, squares of the value, and dB of the alias of "
-               "point samples",
-               columns, count, way_count(s));
+    bl_run_csv(
+        run, s->key,
+        "alias and blur of each method, squares of the value, and dB of the alias of point samples",
+        columns, count, way_count(s));
 }
 
 static void draw_rows(bl_run *run) {
@@ -170,16 +170,14 @@ static void draw_rows(bl_run *run) {
         panels[n] =
             (bl_panel){.title = subjects[n].title, .series = series[n], .series_count = KINDS + 1};
     }
-    const bl_plot plot = {.title = "How much alias and how much blur does each method leave?",
-                          .x = {"blur, dB of the alias of point samples", LEAST_BLUR, 5, 5, 0},
+    const bl_plot plot = {.x = {"blur, dB of the alias of point samples", LEAST_BLUR, 5, 5, 0},
                           .y = {"alias, dB of that of point samples", -35, 5, 5, 0},
                           .panels = panels,
                           .panel_count = DRAWN,
-                          .columns = 1,
                           .aspect = 0.5};
     bl_run_plot(run, "alias-blur", &plot,
-                "Three panels of named dots, alias upwards and blur to the right: point "
-                "sampling stands on top, the textures' own filters below.");
+                "Three panels of named dots, alias upwards and blur to the right: point sampling "
+                "stands on top, the textures' own filters below.");
 }
 
 // --- pictures ------------------------------------------------------------------------------------
@@ -309,10 +307,10 @@ static void claim_all(bl_run *run, const bl_alias_result *const *all) {
                 "The integral takes the alias of a brick wall away: at least nine tenths.", 0, all,
                 "integral", "point", -10);
     for (int n = 0; n < DRAWN; n++)
-        claim_ratio(run, section,
-                    "Supersamples take away the alias from frequencies below their own Nyquist "
-                    "limit.",
-                    n, all, "supersample:n=4", "point", 0);
+        claim_ratio(
+            run, section,
+            "Supersamples take away the alias from frequencies below their own Nyquist limit.", n,
+            all, "supersample:n=4", "point", 0);
     claim_ratio(run, section,
                 "Filtering before sampling is better than random supersamples: less alias.", 0, all,
                 "exact", "supersample:n=4,pattern=jitter", 0);
@@ -348,12 +346,9 @@ BL_FIGURE_DESCRIPTOR(alias_blur) = {
     .paper = "peachey2003, Methods of Antialiasing Procedural Textures",
     .shows =
         "Each method of sampling a brick wall, a zone plate and a turbulence: the energy that "
-        "folds "
-        "into the picture (alias) against the energy that is missing or wrong within it (blur). "
-        "The best stands at the lower left. A box that is a pixel wide is no ideal filter: it "
-        "blurs, and leaves some alias. Tent and Mitchell weight 2 x 2 samples a pixel; jittered "
-        "and "
-        "Sobol are 4 x 4 irregular ones. Pictures show what that looks like, of a sine, too, for "
-        "which 4 x 4 samples "
-        "are too few.",
+        "folds into the picture (alias) against the energy that is missing or wrong within it "
+        "(blur). The best stands at the lower left. A box that is a pixel wide is no ideal filter: "
+        "it blurs, and leaves some alias. Tent and Mitchell weight 2 x 2 samples a pixel; jittered "
+        "and Sobol are 4 x 4 irregular ones. Pictures show what that looks like, of a sine, too, "
+        "for which 4 x 4 samples are too few.",
     .run = run_figure};

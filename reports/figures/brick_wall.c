@@ -143,7 +143,6 @@ void bl_wall_draw_widths(bl_run *run, const char *what, const double place[BL_WA
                           .y = {"width, thicknesses of the mortar", -0.2, 2, 0.5, 0},
                           .panels = &panel,
                           .panel_count = 1,
-                          .columns = 1,
                           .aspect = 0.4,
                           .limits = limits,
                           .limit_count = 1};

@@ -48,10 +48,9 @@ static void run_lines(bl_run *run) {
     const bl_gallery gallery = open_gallery(run);
     double length = length_of(&gallery, 20);
     const bl_gallery_graphs graphs = {
-        .title = "What do the signals look like along a line?",
         .alternative =
-            "Graphs of value over x, one panel a signal, each along the x axis and "
-            "along a parallel to it between the planes of the lattice.",
+            "Graphs of value over x, one panel a signal, each along the x axis and along a "
+            "parallel to it between the planes of the lattice.",
         .lines = lines,
         .line_count = 2,
         .length = length,
@@ -69,9 +68,9 @@ static const bl_figure lines_figure = {
     .question = "What do the signals look like along a line?",
     .paper = "peachey2003, fig. 2.35",
     .shows =
-        "Each panel is the graph of one signal along two parallels to the x axis: the axis "
-        "itself, which is an edge of the lattice of a lattice noise, and a line between the "
-        "planes of the lattice. All share one scale.",
+        "Each panel is the graph of one signal along two parallels to the x axis: the axis itself, "
+        "which is an edge of the lattice of a lattice noise, and a line between the planes of the "
+        "lattice. All share one scale.",
     .run = run_lines};
 
 // --- in a slice ---------------------------------------------------------------------------------
@@ -83,8 +82,8 @@ static void run_slices(bl_run *run) {
         .name = "between",
         .title = "What do the signals look like in a slice between the lattice planes?",
         .alternative =
-            "Grey slices parallel to the xy plane, one panel a signal, on one scale of "
-            "grey from the lowest to the highest value of all.",
+            "Grey slices parallel to the xy plane, one panel a signal, on one scale of grey from "
+            "the lowest to the highest value of all.",
         .origin = {0, 0, 0.381966, 0.618034},
         .length = length,
         .pixels = steps_of(&gallery, length, 256),
@@ -102,9 +101,9 @@ static const bl_figure slices_figure = {
     .question = "What do the signals look like in a slice?",
     .paper = "peachey2003, fig. 2.36",
     .shows =
-        "Each panel is a slice parallel to the xy plane, first between two planes of the "
-        "lattice, then on one, where the regular zeros of a gradient noise show. All share "
-        "one scale of grey, from the lowest to the highest value.",
+        "Each panel is a slice parallel to the xy plane, first between two planes of the lattice, "
+        "then on one, where the regular zeros of a gradient noise show. All share one scale of "
+        "grey, from the lowest to the highest value.",
     .run = run_slices};
 
 // --- the power spectrum -------------------------------------------------------------------------
@@ -148,8 +147,8 @@ static void run_line_spectra(bl_run *run, const bl_gallery *gallery) {
         .name = "line",
         .title = "Where in frequency does the power lie, along a line?",
         .alternative =
-            "Power spectra along a line at a random place, one panel a signal, each "
-            "with its 95 % band and, where there is one, the closed form.",
+            "Power spectra along a line at a random place, one panel a signal, each with its 95 % "
+            "band and, where there is one, the closed form.",
         .highest = 3,
         .lowest_db = -80,
         .highest_db = 10,
@@ -179,8 +178,8 @@ static void run_slice_spectra(bl_run *run, const bl_gallery *gallery) {
     bl_gallery_draw_spectra(run, gallery, &spectra, &plot);
     plot.title = "How much does the spectrum of a slice prefer directions?";
     plot.alternative =
-        "The anisotropy of the rings of the slice spectrum, one panel a signal; the "
-        "dashed level is what a signal without preferred directions reads.";
+        "The anisotropy of the rings of the slice spectrum, one panel a signal; the dashed level "
+        "is what a signal without preferred directions reads.";
     plot.lowest_db = -25;
     plot.highest_db = 20;
     plot.tick_db = 5;
@@ -199,21 +198,20 @@ static const bl_figure spectra_figure = {
     .question = "Where in frequency does the power of the signals lie?",
     .paper = "peachey2003, fig. 2.37",
     .shows =
-        "Each panel is the power spectrum of one signal: along a line at a random place, with "
-        "its 95 % band and the closed form where there is one; by radius in a slice; and the "
-        "anisotropy of the rings of that slice. shares.csv holds the shares of the variance "
-        "below 0.3, in 0.3 to 0.7, in 0.7 to 1 and above 1 cycle per unit.",
+        "Each panel is the power spectrum of one signal: along a line at a random place, with its "
+        "95 % band and the closed form where there is one; by radius in a slice; and the "
+        "anisotropy of the rings of that slice. shares.csv holds the shares of the variance below "
+        "0.3, in 0.3 to 0.7, in 0.7 to 1 and above 1 cycle per unit.",
     .run = run_spectra};
 
 // --- the histogram ------------------------------------------------------------------------------
 
 static void run_histograms(bl_run *run) {
     const bl_gallery gallery = open_gallery(run);
-    bl_gallery_draw_histograms(
-        run, &gallery, (size_t)bl_run_pick(run, 1 << 16, 1 << 20, 1 << 24),
-        "How are the values of the signals distributed?",
-        "Densities of the values, one panel a signal, in standard deviations from the mean, over "
-        "the normal density.");
+    bl_gallery_draw_histograms(run, &gallery, (size_t)bl_run_pick(run, 1 << 16, 1 << 20, 1 << 24),
+                               "How are the values of the signals distributed?",
+                               "Densities of the values, one panel a signal, in standard "
+                               "deviations from the mean, over the normal density.");
 }
 
 static const bl_figure histograms_figure = {
@@ -222,9 +220,9 @@ static const bl_figure histograms_figure = {
     .question = "How are the values of the signals distributed?",
     .paper = "peachey2003, the paragraph before Spectral Synthesis",
     .shows =
-        "Each panel is the density of the values of one signal over random places, with the "
-        "normal density, dashed. histograms.csv holds the "
-        "moments and the range, and the bounds that the signals state.",
+        "Each panel is the density of the values of one signal over random places, with the normal "
+        "density, dashed. histograms.csv holds the moments and the range, and the bounds that the "
+        "signals state.",
     .run = run_histograms};
 
 const bl_figure *const bl_comparisons[BL_COMPARISONS] = {&lines_figure, &slices_figure,

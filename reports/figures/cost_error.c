@@ -66,23 +66,22 @@ static void claim_tables(bl_run *run, const bl_alternatives *all) {
 
 static void claim_precision(bl_run *run, const bl_alternatives *all) {
     const bl_estimate bits = ratio(&find(all, "fixed:8")->error, &find(all, "fixed:16")->error);
-    bl_make_claim(run, "bandlimit",
-                  "Each bit of fixed point halves the error: that of 8 bits is 256 times that of "
-                  "16.",
-                  "rms errors of gnoise", "", 235, 279, bits, "places");
-    bl_make_claim(run, "bandlimit",
-                  "Float is better than 20 bits of fixed point: the error of these over that of "
-                  "float.",
-                  "rms errors of gnoise", "", 2, INFINITY,
-                  ratio(&find(all, "fixed:20")->error, &find(all, "float")->error), "places");
+    bl_make_claim(
+        run, "bandlimit",
+        "Each bit of fixed point halves the error: that of 8 bits is 256 times that of 16.",
+        "rms errors of gnoise", "", 235, 279, bits, "places");
+    bl_make_claim(
+        run, "bandlimit",
+        "Float is better than 20 bits of fixed point: the error of these over that of float.",
+        "rms errors of gnoise", "", 2, INFINITY,
+        ratio(&find(all, "fixed:20")->error, &find(all, "float")->error), "places");
 }
 
 static void claim_steps(bl_run *run, const bl_alternatives *all) {
-    bl_make_claim(run, "bandlimit",
-                  "A box of one sample removes nine tenths of what a step has beyond the Nyquist "
-                  "frequency.",
-                  "by its response", "of the bare step's", 0, 0.1, find(all, "box")->error,
-                  "nodes");
+    bl_make_claim(
+        run, "bandlimit",
+        "A box of one sample removes nine tenths of what a step has beyond the Nyquist frequency.",
+        "by its response", "of the bare step's", 0, 0.1, find(all, "box")->error, "nodes");
     bl_make_claim(run, "peachey2003, p. 64",
                   "The smooth cubic step is a better filtered step than the linear one of the box: "
                   "the leak of smoothstep over that of the box, both one sample wide.",
@@ -200,9 +199,9 @@ BL_FIGURE_DESCRIPTOR(cost_error) = {
     .question = "What does each alternative cost, and what does it get wrong?",
     .paper = "bandlimit, after peachey2003, pp. 38-39, 64-66 and 78-80",
     .shows =
-        "Every alternative of a choice as a point: the time of a sample, measured by turns "
-        "with the others, against its error; both axes are logarithmic, and what has no error "
-        "is not drawn. The dashed line joins the front: nothing else is both cheaper and "
-        "better, as far as the intervals tell.",
+        "Every alternative of a choice as a point: the time of a sample, measured by turns with "
+        "the others, against its error; both axes are logarithmic, and what has no error is not "
+        "drawn. The dashed line joins the front: nothing else is both cheaper and better, as far "
+        "as the intervals tell.",
     .run = run_figure,
     .timed = 1};

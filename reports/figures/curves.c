@@ -62,7 +62,6 @@ static void draw(bl_run *run, const bl_curves *curves, const bl_gallery *gallery
                           .y = curves->y,
                           .panels = &panel,
                           .panel_count = 1,
-                          .columns = 1,
                           .limits = curves->limits,
                           .limit_count = curves->limit_count};
     bl_run_plot(run, "curves", &plot, curves->alternative);

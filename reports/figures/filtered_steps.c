@@ -58,10 +58,9 @@ static void draw_steps(bl_run *run) {
         .columns = 4,
         .aspect = 0.8};
     bl_run_plot(run, "steps", &plot,
-                "A panel for each filter: its kernel and the step that it makes. "
-                "Those of box, tent, parabola and Gaussian rise all the way; "
-                "Catmull-Rom, Mitchell, Lanczos and sinc dip below 0 and rise above "
-                "1, sinc again and again.");
+                "A panel for each filter: its kernel and the step that it makes. Those of box, "
+                "tent, parabola and Gaussian rise all the way; Catmull-Rom, Mitchell, Lanczos and "
+                "sinc dip below 0 and rise above 1, sinc again and again.");
 }
 
 static void draw_responses(bl_run *run) {
@@ -96,10 +95,10 @@ static void draw_responses(bl_run *run) {
         .aspect = 0.8,
         .limits = limits,
         .limit_count = 1};
-    bl_run_plot(run, "responses", &plot,
-                "A panel for each filter: the response in decibels over the "
-                "frequency. The side lobes of the box fall slowest; the Gaussian has "
-                "none; sinc ends at the Nyquist frequency.");
+    bl_run_plot(
+        run, "responses", &plot,
+        "A panel for each filter: the response in decibels over the frequency. The side lobes of "
+        "the box fall slowest; the Gaussian has none; sinc ends at the Nyquist frequency.");
 }
 
 // --- numbers ------------------------------------------------------------------------------------
@@ -162,9 +161,8 @@ static void claim_ideal(bl_run *run, const bl_filter_numbers *box,
         "response with the box, minus that with smoothstep.";
     double white = box->alias + box->blur - parabola->alias - parabola->blur;
     bl_make_claim(run, section, sentence, "white noise, both one width wide",
-                  "of the power below "
-                  "the Nyquist frequency",
-                  0, INFINITY, bl_exactly(white, 1), "pair");
+                  "of the power below the Nyquist frequency", 0, INFINITY, bl_exactly(white, 1),
+                  "pair");
     bl_make_claim(run, section, sentence, "a step, both one width wide", "widths", 0, INFINITY,
                   bl_exactly(distance_of_steps(flat, 1) - distance_of_steps(curved, 1), 1), "pair");
     bl_make_claim(run, section, sentence, "a step, smoothstep over 1.5 widths and the box over one",
@@ -205,11 +203,11 @@ static void claim_lobes(bl_run *run, const bl_filter_numbers *numbers) {
                   "of the power below the Nyquist frequency", 0, 1,
                   bl_exactly(blur[0] / count[0] - blur[1] / count[1], count[0] + count[1]),
                   "filters");
-    bl_make_claim(run, section,
-                  "... although they ring: the least overshoot of a step under a filter with "
-                  "negative lobes.",
-                  "all filters with negative lobes", "of the step", 1e-3, 1,
-                  bl_exactly(least_overshoot, count[1]), "filters");
+    bl_make_claim(
+        run, section,
+        "... although they ring: the least overshoot of a step under a filter with negative lobes.",
+        "all filters with negative lobes", "of the step", 1e-3, 1,
+        bl_exactly(least_overshoot, count[1]), "filters");
 }
 
 // The step against sums of the kernel at the middles of 2^14 intervals a width.

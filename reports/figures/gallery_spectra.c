@@ -60,8 +60,7 @@ static void write_spectrum(bl_run *run, const bl_gallery *gallery, size_t index,
             columns[used++] = (bl_column){names[k], values + k * psd->count, NULL};
     bl_run_csv(run, bl_run_text(run, "spectrum-%s-%s", name, gallery->key[index]),
                bl_run_text(run,
-                           "power by frequency of %s, dB of the total variance per cycle "
-                           "per unit",
+                           "power by frequency of %s, dB of the total variance per cycle per unit",
                            gallery->signal[index]->text),
                columns, used, psd->count);
 }

@@ -18,10 +18,9 @@ static void run_figure(bl_run *run) {
     static const char *const texts[] = {"rayshade", "fractalsum:basis=rayshade,min=1,max=32"};
     static const bl_gallery_slices slices = {
         .name = "between",
-        .title = "What does a 1/f sum add to a noise?",
         .alternative =
-            "Two grey slices of 8 by 8 cells: soft blobs of one size, and the same "
-            "blobs with ever finer detail.",
+            "Two grey slices of 8 by 8 cells: soft blobs of one size, and the same blobs with ever "
+            "finer detail.",
         .origin = {0, 0, 0.381966, 0},
         .length = 8,
         .pixels = 256,
@@ -32,13 +31,13 @@ static void run_figure(bl_run *run) {
     const bl_estimate one = share_above_one(run, gallery.signal[0]);
     const bl_estimate sum = share_above_one(run, gallery.signal[1]);
     bl_make_claim(run, "hart2001, section 1",
-                  "The bandwidth of noise can be controlled to inhibit aliasing: the share of "
-                  "its variance above frequency 1 is no more than 1 %.",
+                  "The bandwidth of noise can be controlled to inhibit aliasing: the share of its "
+                  "variance above frequency 1 is no more than 1 %.",
                   "rayshade, along a line at a random place", "of the variance", 0, 0.01, one,
                   "averages");
     bl_make_claim(run, "hart2001, section 1",
-                  "Sums of octaves form fractal structures, with power at all scales: the "
-                  "share of the sum above frequency 1 minus that of one octave.",
+                  "Sums of octaves form fractal structures, with power at all scales: the share of "
+                  "the sum above frequency 1 minus that of one octave.",
                   "along a line at a random place", "of the variance", 0, 1,
                   bl_difference(sum, one), "averages");
 }

@@ -12,8 +12,6 @@
 #include "reports/figures/gallery.h"
 #include "spectra/psd.h"
 
-static const double unlimited = INFINITY;
-
 enum { SPECTRA = 12, IN_BAND = 0, ABOVE = 1, BANDS };
 
 static const struct {
@@ -64,11 +62,10 @@ static void run_figure(bl_run *run) {
     static const char *const texts[] = {"rayshade", "rayshade:weights=linear", "scnoise"};
     static const bl_gallery_slices slices = {
         .name = "between",
-        .title = "How much do the weights between the lattice points matter?",
         .alternative =
-            "Grey slices of 16 by 16 cells. With cubic weights the cells are flat "
-            "blobs; with linear weights creases run along the lattice lines; sparse "
-            "convolution noise shows no lattice.",
+            "Grey slices of 16 by 16 cells. With cubic weights the cells are flat blobs; with "
+            "linear weights creases run along the lattice lines; sparse convolution noise shows no "
+            "lattice.",
         .origin = {0, 0, 0.381966, 0},
         .length = 16,
         .pixels = 256,
@@ -85,7 +82,7 @@ static void run_figure(bl_run *run) {
                       "the power near the axes over that near the diagonals.",
                       bl_run_text(run, "%s, slices at random places, %s", gallery.label[i % 2],
                                   bands[i / 2].word),
-                      "dB", 1, unlimited, result[i % 2][i / 2], "spectra");
+                      "dB", 1, INFINITY, result[i % 2][i / 2], "spectra");
     for (int b = 0; b < BANDS; b++)
         bl_make_claim(run, "bandlimit",
                       "A noise without a lattice has no such tendency: the power near the axes "
@@ -100,7 +97,6 @@ BL_FIGURE_DESCRIPTOR(hart2001_2) = {
     .question = "How much do the weights between the lattice points matter?",
     .paper = "hart2001, fig. 2",
     .shows =
-        "Slices of the noise of the Rayshade ray tracer with the cubic weights of the program "
-        "and with linear ones, and of sparse convolution noise, which has no lattice, for "
-        "comparison.",
+        "Slices of the noise of the Rayshade ray tracer with the cubic weights of the program and "
+        "with linear ones, and of sparse convolution noise, which has no lattice, for comparison.",
     .run = run_figure};

@@ -20,8 +20,8 @@ static void draw_graphs(bl_run *run, const bl_gallery *gallery) {
     const bl_gallery_graphs graphs = {
         .title = "What does a line through noise of 1 to 4 dimensions look like?",
         .alternative =
-            "Eight graphs of value over x, value noise above and gradient noise below, "
-            "in 1 to 4 dimensions: the more dimensions, the smaller the values.",
+            "Eight graphs of value over x, value noise above and gradient noise below, in 1 to 4 "
+            "dimensions: the more dimensions, the smaller the values.",
         .lines = lines,
         .line_count = 1,
         .length = 20,
@@ -42,9 +42,9 @@ static void draw_spectra(bl_run *run, const bl_gallery *gallery) {
         .name = "line",
         .title = "Where in frequency does the power lie along a line, in 1 to 4 dimensions?",
         .alternative =
-            "Eight power spectra with their 95 % bands and closed forms. Value noise "
-            "has one spectrum along a line whatever its dimensions; gradient noise "
-            "gains power at low frequencies with every dimension.",
+            "Eight power spectra with their 95 % bands and closed forms. Value noise has one "
+            "spectrum along a line whatever its dimensions; gradient noise gains power at low "
+            "frequencies with every dimension.",
         .highest = 3,
         .lowest_db = -80,
         .highest_db = 10,
@@ -54,10 +54,10 @@ static void draw_spectra(bl_run *run, const bl_gallery *gallery) {
     bl_gallery_draw_spectra(run, gallery, &spectra, &plot);
     for (size_t i = 0; i < gallery->count; i++) {
         const bl_estimate off = bl_psd_share_off(spectra.psd[i], 0, 0.3);
-        bl_make_claim(run, "bandlimit",
-                      "The share of the variance below 0.3 is that of the closed form: measured "
-                      "minus exact.",
-                      gallery->label[i], "of the variance", -0.02, 0.02, off, "averages");
+        bl_make_claim(
+            run, "bandlimit",
+            "The share of the variance below 0.3 is that of the closed form: measured minus exact.",
+            gallery->label[i], "of the variance", -0.02, 0.02, off, "averages");
     }
 }
 
@@ -102,6 +102,6 @@ BL_FIGURE_DESCRIPTOR(noise_dimensions) = {
     .question = "What does the number of dimensions do to a noise?",
     .paper = "peachey2003, note 13",
     .shows =
-        "Value and gradient noise in 1, 2, 3 and 4 dimensions: graphs along a line, and the "
-        "power spectra along that line with their closed forms.",
+        "Value and gradient noise in 1, 2, 3 and 4 dimensions: graphs along a line, and the power "
+        "spectra along that line with their closed forms.",
     .run = run_figure};

@@ -93,11 +93,10 @@ static void claim_edges(bl_run *run, const bl_gallery *gallery) {
                   "NaN, infinity and coordinates beyond 2^62 give NaN, in floats and in double: "
                   "how often they do not.",
                   "all noises, all axes", "", 0, 0, bl_exactly(no_nan, places * BROKEN), "places");
-    bl_make_claim(run, "bandlimit",
-                  "Denormals, cell boundaries, 2^31, 2^53 and 1e18 give numbers: how often they do "
-                  "not.",
-                  "all noises, all axes", "", 0, 0, bl_exactly(no_number, places * WHOLE),
-                  "places");
+    bl_make_claim(
+        run, "bandlimit",
+        "Denormals, cell boundaries, 2^31, 2^53 and 1e18 give numbers: how often they do not.",
+        "all noises, all axes", "", 0, 0, bl_exactly(no_number, places * WHOLE), "places");
     bl_make_claim(run, "bandlimit", "Negative zero is zero: how often they differ.",
                   "all noises, all axes", "", 0, 0, bl_exactly(zeros, places), "places");
 }
@@ -147,8 +146,7 @@ static void claim_widths(bl_run *run, const bl_gallery *gallery) {
                   "octaves: how often it is not.",
                   "all sums of octaves", "", 0, 0, bl_exactly(lost, 2 * sums), "widths");
     bl_make_claim(run, "bandlimit",
-                  "A width that is NaN or negative gives NaN: how often it does "
-                  "not.",
+                  "A width that is NaN or negative gives NaN: how often it does not.",
                   "all sums of octaves", "", 0, 0, bl_exactly(numbers, 2 * sums), "widths");
 }
 
@@ -168,13 +166,12 @@ static void measure(bl_run *run, const bl_gallery *gallery, double *values) {
         }
         // The kernels may spend 32 halves of a unit in the last place of their range.
         double size = fmax(1, fmax(fabs(signal->facts.lower), fabs(signal->facts.upper)));
-        bl_make_claim(run, "bandlimit",
-                      "The floats are within 32 x 2^-24 of the reference, times the range where "
-                      "that is above 1, at all coordinates from 1e-30 to 1e18: the largest error "
-                      "over that limit.",
-                      gallery->label[i], "", 0, 1,
-                      bl_observed(worst / (32 * 0x1p-24 * size), PLACES * (double)DECADES),
-                      "places");
+        bl_make_claim(
+            run, "bandlimit",
+            "The floats are within 32 x 2^-24 of the reference, times the range where that is "
+            "above 1, at all coordinates from 1e-30 to 1e18: the largest error over that limit.",
+            gallery->label[i], "", 0, 1,
+            bl_observed(worst / (32 * 0x1p-24 * size), PLACES * (double)DECADES), "places");
     }
 }
 
@@ -187,15 +184,12 @@ static void draw_errors(bl_run *run, const bl_gallery *gallery) {
     const bl_gallery_curves curves = {
         .name = "errors",
         .what =
-            "log10 of the largest error against the double reference, by log10 of the "
-            "coordinates",
-        .title = "How large is the error of the floats, from 1e-30 to 1e18?",
+            "log10 of the largest error against the double reference, by log10 of the coordinates",
         .alternative =
-            "The largest error of every noise against its reference, a point for "
-            "each decade of the coordinates: a few units in the last place of a "
-            "float (the dashed line is 2^-24, half a unit of 1), as large near "
-            "the origin as far from it. No error at all has "
-            "no point.",
+            "The largest error of every noise against its reference, a point for each decade of "
+            "the coordinates: a few units in the last place of a float (the dashed line is 2^-24, "
+            "half a unit of 1), as large near the origin as far from it. No error at all has no "
+            "point.",
         .x_name = "decade",
         .x = decade,
         .values = values,
@@ -223,7 +217,7 @@ BL_FIGURE_DESCRIPTOR(noise_extremes) = {
     .paper = "bandlimit",
     .shows =
         "The largest difference between the float path and the reference in double, over 128 "
-        "places for each decade of the coordinates, half of them on cell boundaries. The "
-        "claims hold every noise to its tolerance, and to what it states of NaN, infinity, "
-        "denormals and negative zero.",
+        "places for each decade of the coordinates, half of them on cell boundaries. The claims "
+        "hold every noise to its tolerance, and to what it states of NaN, infinity, denormals and "
+        "negative zero.",
     .run = run_figure};

@@ -31,11 +31,10 @@ static void claim_middle(bl_run *run, const bl_gallery *gallery) {
 
 static void run_figure(bl_run *run) {
     const bl_gallery gallery = bl_all_noises_open(run);
-    bl_gallery_draw_histograms(
-        run, &gallery, (size_t)bl_run_pick(run, 1 << 16, 1 << 20, 1 << 24),
-        "How are the values of all the noises distributed?",
-        "The density of the values of every noise, in standard deviations from its mean, over the "
-        "normal density.");
+    bl_gallery_draw_histograms(run, &gallery, (size_t)bl_run_pick(run, 1 << 16, 1 << 20, 1 << 24),
+                               "How are the values of all the noises distributed?",
+                               "The density of the values of every noise, in standard deviations "
+                               "from its mean, over the normal density.");
     claim_middle(run, &gallery);
 }
 
@@ -45,7 +44,6 @@ BL_FIGURE_DESCRIPTOR(noise_histograms) = {
     .question = "How are the values of all the noises distributed?",
     .paper = "peachey2003, the paragraph before Spectral Synthesis",
     .shows =
-        "The density of the values of every noise over random places and seeds, and the "
-        "normal density, dashed. histograms.csv holds moments, "
-        "observed ranges and proven bounds.",
+        "The density of the values of every noise over random places and seeds, and the normal "
+        "density, dashed. histograms.csv holds moments, observed ranges and proven bounds.",
     .run = run_figure};

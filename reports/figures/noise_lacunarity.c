@@ -13,7 +13,6 @@
 #include "reports/figures/gallery.h"
 #include "reports/figures/lattice_contrast.h"
 
-static const double unlimited = INFINITY;
 static const char section[] = "peachey2003, Spectral Synthesis";
 
 enum { TWO, OTHER, TURNED, SHIFTED, SUMS };
@@ -40,19 +39,19 @@ static void claim_contrasts(bl_run *run, const contrasts *c) {
                       "A ratio of 2.17 reduces the artifacts of the lattice, because the lattice "
                       "points of the octaves no longer coincide: the lattice contrast with the "
                       "ratio 2 minus that with 2.17.",
-                      places[p], "", 0, unlimited, difference(c, p, TWO, OTHER),
+                      places[p], "", 0, INFINITY, difference(c, p, TWO, OTHER),
                       "pairs of sets of cells");
     for (int p = 0; p < 2; p++)
         bl_make_claim(run, section,
                       "Octaves turned at random reduce the artifacts of the lattice (Worley): the "
                       "lattice contrast without minus that with turning.",
-                      places[p], "", 0, unlimited, difference(c, p, TWO, TURNED),
+                      places[p], "", 0, INFINITY, difference(c, p, TWO, TURNED),
                       "pairs of sets of cells");
     // Between the planes a shift moves the pattern of an octave and does not lessen it.
     bl_make_claim(run, "bandlimit",
                   "Octaves shifted at random no longer vanish at the same points: the lattice "
                   "contrast without minus that with shifting.",
-                  places[1], "", 0, unlimited, difference(c, 1, TWO, SHIFTED),
+                  places[1], "", 0, INFINITY, difference(c, 1, TWO, SHIFTED),
                   "pairs of sets of cells");
 }
 
@@ -79,11 +78,11 @@ static void measure_contrasts(bl_run *run, const bl_gallery *gallery) {
     size_t cells = (size_t)bl_run_pick(run, 256, 2000, 20000);
     double *all = bl_run_memory(run, c.repeats * (2 * SUMS + 1), sizeof *all);
     c.difference = all + 2 * SUMS * c.repeats;
-    bl_run_setting(run, "lattice contrast",
-                   bl_run_text(run,
-                               "%d x %d places in the cell of the lowest octave, %zu pairs of "
-                               "%zu random cells",
-                               BL_CONTRAST_PHASES, BL_CONTRAST_PHASES, c.repeats, cells));
+    bl_run_setting(
+        run, "lattice contrast",
+        bl_run_text(
+            run, "%d x %d places in the cell of the lowest octave, %zu pairs of %zu random cells",
+            BL_CONTRAST_PHASES, BL_CONTRAST_PHASES, c.repeats, cells));
     for (int p = 0; p < 2; p++)
         for (int i = 0; i < SUMS; i++) {
             bl_run_step(run, bl_run_text(run, "lattice contrast, %s", places[p]));
@@ -132,10 +131,10 @@ static void draw_deviations(bl_run *run, const bl_gallery *gallery) {
         .what = "standard deviation along a lattice edge, over cells and seeds",
         .title = "Where along a lattice edge do the octaves vanish?",
         .alternative =
-            "The standard deviation of four sums along an edge of the lattice of "
-            "the lowest octave. With the ratio 2 it is 0 at both ends, where all "
-            "octaves vanish together; with 2.17, or with octaves turned, it stays "
-            "above 0.1 there, and with octaves shifted above 0.05.",
+            "The standard deviation of four sums along an edge of the lattice of the lowest "
+            "octave. With the ratio 2 it is 0 at both ends, where all octaves vanish together; "
+            "with 2.17, or with octaves turned, it stays above 0.1 there, and with octaves shifted "
+            "above 0.05.",
         .x_name = "x_cells",
         .x = x,
         .values = values[0],
@@ -155,9 +154,9 @@ static void run_figure(bl_run *run) {
         .name = "plane",
         .title = "Do the lattice points of the octaves show, on a plane of the lattice?",
         .alternative =
-            "Four grey slices of 8 by 8 cells on a lattice plane: clouds that differ "
-            "in their finer detail. That all octaves of the first vanish at whole "
-            "cells is hardly seen here, but in the next plot.",
+            "Four grey slices of 8 by 8 cells on a lattice plane: clouds that differ in their "
+            "finer detail. That all octaves of the first vanish at whole cells is hardly seen "
+            "here, but in the next plot.",
         .length = 8,
         .pixels = 384,
         .unit = "cells of the lowest octave"};
@@ -181,7 +180,7 @@ BL_FIGURE_DESCRIPTOR(noise_lacunarity) = {
     .paper = "peachey2003, Spectral Synthesis",
     .terms = terms,
     .shows =
-        "Five octaves of gradient noise on a plane of the lattice of the lowest: with the "
-        "ratio 2, with 2.17, and with the ratio 2 and each octave turned or shifted at "
-        "random. The claims measure how much the variance depends on the place in the cell.",
+        "Five octaves of gradient noise on a plane of the lattice of the lowest: with the ratio 2, "
+        "with 2.17, and with the ratio 2 and each octave turned or shifted at random. The claims "
+        "measure how much the variance depends on the place in the cell.",
     .run = run_figure};

@@ -74,12 +74,10 @@ static void plot_correlations(bl_run *run, const bl_gallery *gallery, const prob
     const bl_gallery_curves curves = {
         .name = "correlations",
         .what = "correlation of a noise with itself some cells away along x",
-        .title = "How far away does a noise come back?",
         .alternative =
-            "The correlation of four noises with themselves over the distance. "
-            "With the permutation it is 1 at every multiple of 256 cells and "
-            "about 0 elsewhere; with the hash it is about 0 from the second cell "
-            "on.",
+            "The correlation of four noises with themselves over the distance. With the "
+            "permutation it is 1 at every multiple of 256 cells and about 0 elsewhere; with the "
+            "hash it is about 0 from the second cell on.",
         .x_name = "distance_cells",
         .x = distance,
         .values = values[0],
@@ -104,10 +102,10 @@ static void claim_correlations(bl_run *run, const bl_gallery *gallery, const pro
             int repeats = i % 2 == 0;
             bl_make_claim(
                 run, repeats ? "peachey2003, Lattice Noises" : "bandlimit",
-                repeats ? "A table of 256 entries makes the noise repeat after 256 cells: "
-                          "its correlation with itself that far away is 1."
-                        : "A hash of the whole cell never repeats: the correlation with "
-                          "itself far away is 0.",
+                repeats ? "A table of 256 entries makes the noise repeat after 256 cells: its "
+                          "correlation with itself that far away is 1."
+                        : "A hash of the whole cell never repeats: the correlation with itself far "
+                          "away is 0.",
                 bl_run_text(run, "%s, %.0f cells along x", gallery->label[i], distances[d]), "",
                 repeats ? 1 : -limit, repeats ? 1 : limit,
                 correlation_estimate(r, (double)p->count), "places");
@@ -145,11 +143,10 @@ static void claim_rows(bl_run *run, const bl_gallery *gallery) {
             values[k] = best_shift(gallery->signal[i], (double)k, (double)k + 1);
         bl_make_claim(
             run, "bandlimit",
-            i == 0 ? "With the text's index every row of lattice numbers is a shift of any "
-                     "other: the largest correlation of neighbouring rows over all "
-                     "shifts is 1."
-                   : "With the hash no row is a shift of another: the largest correlation "
-                     "of neighbouring rows over all 256 shifts is far below 1.",
+            i == 0 ? "With the text's index every row of lattice numbers is a shift of any other: "
+                     "the largest correlation of neighbouring rows over all shifts is 1."
+                   : "With the hash no row is a shift of another: the largest correlation of "
+                     "neighbouring rows over all 256 shifts is far below 1.",
             bl_run_text(run, "%s, lattice values", gallery->label[i]), "", i == 0 ? 1 - 1e-12 : 0,
             i == 0 ? 1 + 1e-12 : 0.5, bl_mean_estimate(values, rows, 0.95), "pairs of rows");
     }
@@ -207,11 +204,10 @@ static void draw_wide(bl_run *run, const bl_gallery *gallery) {
         .white = white,
         .pixel = BLOCK,
         .scale_label = "mean"};
-    bl_run_plot(run, "wide", &plot,
-                "Two grey pictures of 768 by 768 cells, a pixel the mean of 16 by 16 "
-                "cells. With the table one patch is repeated three times across and "
-                "down; with the hash nothing comes "
-                "back.");
+    bl_run_plot(
+        run, "wide", &plot,
+        "Two grey pictures of 768 by 768 cells, a pixel the mean of 16 by 16 cells. With the table "
+        "one patch is repeated three times across and down; with the hash nothing comes back.");
 }
 
 static void run_figure(bl_run *run) {
@@ -230,7 +226,7 @@ BL_FIGURE_DESCRIPTOR(noise_period) = {
     .paper = "peachey2003, Lattice Noises",
     .shows =
         "Value and gradient noise with the permutation of 256 entries that the text prints, and "
-        "with a hash of the 64-bit cell numbers: pictures of 768 cells a side, seen from so "
-        "far that a pixel is the mean of 16 by 16 cells, and the correlation of each noise with "
-        "itself some distance away.",
+        "with a hash of the 64-bit cell numbers: pictures of 768 cells a side, seen from so far "
+        "that a pixel is the mean of 16 by 16 cells, and the correlation of each noise with itself "
+        "some distance away.",
     .run = run_figure};

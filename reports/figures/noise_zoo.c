@@ -39,8 +39,8 @@ static void run_figure(bl_run *run) {
         .name = "slice",
         .title = "What do all the noises look like?",
         .alternative =
-            "A grey slice of 16 by 16 units of every noise, each from 2.5 standard "
-            "deviations below its mean, black, to 2.5 above it, white.",
+            "A grey slice of 16 by 16 units of every noise, each from 2.5 standard deviations "
+            "below its mean, black, to 2.5 above it, white.",
         .origin = {0, 0, 0.381966, 0.618034},
         .length = CELLS,
         .pixels = PIXELS,
@@ -56,8 +56,8 @@ static void run_figure(bl_run *run) {
         .name = "slice",
         .title = "Where in frequency does the power of all the noises lie, by radius?",
         .alternative =
-            "The radial power spectrum of a slice of every noise, with its band and, "
-            "where there is one, the closed form.",
+            "The radial power spectrum of a slice of every noise, with its band and, where there "
+            "is one, the closed form.",
         .highest = 3,
         .lowest_db = -80,
         .highest_db = 20,
@@ -69,8 +69,8 @@ static void run_figure(bl_run *run) {
     bl_gallery_draw_spectra(run, &gallery, &spectra, &plot);
     plot.title = "How much do the spectra of all the noises prefer directions?";
     plot.alternative =
-        "The anisotropy of the rings of every slice spectrum; the dashed level "
-        "is what a noise without preferred directions reads.";
+        "The anisotropy of the rings of every slice spectrum; the dashed level is what a noise "
+        "without preferred directions reads.";
     plot.lowest_db = -25;
     plot.highest_db = 25;
     plot.tick_db = 10;
@@ -84,7 +84,7 @@ BL_FIGURE_DESCRIPTOR(noise_zoo) = {
     .question = "What do all the noises look like, and where in frequency does their power lie?",
     .paper = "bandlimit, after the surveys of the field",
     .shows =
-        "Every noise with its default settings: a slice, the radial power spectrum of slices "
-        "at random places with its closed form where there is one, and the anisotropy of its "
-        "rings (Ulichney 1987). A noise of one dimension has no slice spectrum.",
+        "Every noise with its default settings: a slice, the radial power spectrum of slices at "
+        "random places with its closed form where there is one, and the anisotropy of its rings "
+        "(Ulichney 1987). A noise of one dimension has no slice spectrum.",
     .run = run_figure};

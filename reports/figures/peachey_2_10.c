@@ -65,10 +65,9 @@ static void run_figure(bl_run *run) {
         {"clamp:low=0.5,high=1.5,width=0.5", "averaged over 1/2", BL_INK_THEORY, BL_STROKE_THIN},
         {"clamp:low=1.5,high=0.5", "a = 3/2, b = 1/2: reversed", BL_INK_SECOND, BL_STROKE_DASHED}};
     static const bl_curves plot = {
-        .title = "What does clamp do, and with reversed limits?",
         .alternative =
-            "A line of slope 1 between two level parts at 1/2 and 3/2, its average with "
-            "rounded bends, and the level line at 1/2 of the reversed limits.",
+            "A line of slope 1 between two level parts at 1/2 and 3/2, its average with rounded "
+            "bends, and the level line at 1/2 of the reversed limits.",
         .curves = curves,
         .count = 3,
         .x = {"x", 0, 2, 0.5, 0},
@@ -77,10 +76,10 @@ static void run_figure(bl_run *run) {
     bl_curves_claim(run, "peachey2003, p. 28",
                     "clamp is a below a, x between a and b, and b above b: the largest deviation.",
                     "from -1 to 3", 0, bl_curves_largest(clamp_less_listing, &gallery, -1, 3));
-    bl_curves_claim(run, "bandlimit",
-                    "Clamping twice is clamping once, with reversed limits too: the largest "
-                    "deviation.",
-                    "from -1 to 3", 0, bl_curves_largest(clamped_twice, &gallery, -1, 3));
+    bl_curves_claim(
+        run, "bandlimit",
+        "Clamping twice is clamping once, with reversed limits too: the largest deviation.",
+        "from -1 to 3", 0, bl_curves_largest(clamped_twice, &gallery, -1, 3));
     claim_identities(run);
 }
 
@@ -90,7 +89,7 @@ BL_FIGURE_DESCRIPTOR(peachey_2_10) = {
     .question = "What does clamp do, and with reversed limits?",
     .paper = "peachey2003, fig. 2.10",
     .shows =
-        "clamp and its average. With limits in order the listings of clamp, min and max are "
-        "made of each other. With reversed limits the printed listing jumps at the first of "
-        "them, and is not what min and max make; here clamp is min(max(x, a), b) always.",
+        "clamp and its average. With limits in order the listings of clamp, min and max are made "
+        "of each other. With reversed limits the printed listing jumps at the first of them, and "
+        "is not what min and max make; here clamp is min(max(x, a), b) always.",
     .run = run_figure};

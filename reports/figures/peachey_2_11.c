@@ -23,10 +23,9 @@ static void run_figure(bl_run *run) {
         {"sineturbulence:min=1,max=2", "abs of the sine", BL_INK_SECOND, BL_STROKE_LINE},
         {"sine", "sin(2 pi x)", BL_INK_FOURTH, BL_STROKE_DASHED}};
     static const bl_curves plot = {
-        .title = "What does abs do to a line and to a sine?",
         .alternative =
-            "A V with its point at 0, its average that is rounded there, a sine, and "
-            "the row of positive bumps that abs makes of the sine.",
+            "A V with its point at 0, its average that is rounded there, a sine, and the row of "
+            "positive bumps that abs makes of the sine.",
         .curves = curves,
         .count = 4,
         .x = {"x", -2, 2, 0.5, 0},

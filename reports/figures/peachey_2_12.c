@@ -53,10 +53,9 @@ static void run_figure(bl_run *run) {
         {"smoothstep:width=0.5", "averaged over 1/2", BL_INK_THEORY, BL_STROKE_THIN},
         {"clamp", "clamp(x, 0, 1)", BL_INK_FOURTH, BL_STROKE_DASHED}};
     static const bl_curves plot = {
-        .title = "How does smoothstep go from 0 to 1?",
         .alternative =
-            "An S from 0 to 1 that is level at both ends, its average, a little longer "
-            "and less steep, and the straight ramp between the same ends.",
+            "An S from 0 to 1 that is level at both ends, its average, a little longer and less "
+            "steep, and the straight ramp between the same ends.",
         .curves = curves,
         .count = 3,
         .x = {"x", -0.5, 1.5, 0.5, 0},
@@ -76,12 +75,11 @@ static void run_figure(bl_run *run) {
                     "from 0 to 1", 1e-15, bl_curves_largest(signal_less_cubic, &gallery, 0, 1));
 }
 
-BL_FIGURE_DESCRIPTOR(peachey_2_12) = {
-    .name = "peachey-2.12",
-    .title = "The smoothstep function",
-    .question = "How does smoothstep go from 0 to 1?",
-    .paper = "peachey2003, fig. 2.12",
-    .shows =
-        "smoothstep between 0 and 1, its average over half of its length, and the straight "
-        "ramp that it replaces.",
-    .run = run_figure};
+BL_FIGURE_DESCRIPTOR(peachey_2_12) = {.name = "peachey-2.12",
+                                      .title = "The smoothstep function",
+                                      .question = "How does smoothstep go from 0 to 1?",
+                                      .paper = "peachey2003, fig. 2.12",
+                                      .shows =
+                                          "smoothstep between 0 and 1, its average over half of "
+                                          "its length, and the straight ramp that it replaces.",
+                                      .run = run_figure};

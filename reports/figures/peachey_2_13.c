@@ -39,10 +39,9 @@ static void run_figure(bl_run *run) {
         {"sine:phase=1/4", "cos(2 pi x)", BL_INK_THEORY, BL_STROKE_LINE},
         {"sine:width=1/2", "sine averaged over 1/2", BL_INK_SECOND, BL_STROKE_DASHED}};
     static const bl_curves plot = {
-        .title = "What do sine and cosine look like in cycles?",
         .alternative =
-            "A sine and a cosine, a quarter of a period apart, both from -1 to 1, and "
-            "the sine averaged over half a period, which is as smooth and lower.",
+            "A sine and a cosine, a quarter of a period apart, both from -1 to 1, and the sine "
+            "averaged over half a period, which is as smooth and lower.",
         .curves = curves,
         .count = 3,
         .x = {"x, in periods", -1, 1, 0.25, 0},
@@ -52,14 +51,14 @@ static void run_figure(bl_run *run) {
                     "Sine and cosine go around a circle: the largest deviation of the sum of their "
                     "squares from 1.",
                     "from -1 to 1", 1e-15, bl_curves_largest(circle, &gallery, -1, 1));
-    bl_curves_claim(run, "bandlimit",
-                    "The cosine is the sine a quarter of a period further on: the largest "
-                    "deviation.",
-                    "from -1 to 1", 1e-14, bl_curves_largest(quarter, &gallery, -1, 1));
-    bl_curves_claim(run, "bandlimit",
-                    "Averaged over half a period, 2 / pi of the sine is left: the largest "
-                    "deviation.",
-                    "from -1 to 1", 1e-15, bl_curves_largest(averaged_less_share, &gallery, -1, 1));
+    bl_curves_claim(
+        run, "bandlimit",
+        "The cosine is the sine a quarter of a period further on: the largest deviation.",
+        "from -1 to 1", 1e-14, bl_curves_largest(quarter, &gallery, -1, 1));
+    bl_curves_claim(
+        run, "bandlimit",
+        "Averaged over half a period, 2 / pi of the sine is left: the largest deviation.",
+        "from -1 to 1", 1e-15, bl_curves_largest(averaged_less_share, &gallery, -1, 1));
     bl_curves_claim(
         run, "bandlimit", "The sine is the same 2^40 periods further on: the largest deviation.",
         "multiples of 2^-12 from -1 to 1", 0, bl_curves_largest(far_less_near, &gallery, -1, 1));
@@ -76,6 +75,6 @@ BL_FIGURE_DESCRIPTOR(peachey_2_13) = {
     .question = "What do sine and cosine look like in cycles?",
     .paper = "peachey2003, fig. 2.13",
     .shows =
-        "Sine and cosine over their period, and the sine averaged over half of it. Cycles, "
-        "not radians: so whole periods can be taken off exactly, at any distance.",
+        "Sine and cosine over their period, and the sine averaged over half of it. Cycles, not "
+        "radians: so whole periods can be taken off exactly, at any distance.",
     .run = run_figure};

@@ -44,16 +44,15 @@ static double floor_and_mod(const bl_gallery *g, double x) {
 
 static void claim_listings(bl_run *run, const bl_gallery *gallery) {
     const double far = 3e9 + 0.25;
-    bl_curves_claim(run, "peachey2003, p. 31",
-                    "The listing of mod gives the positive remainder: the largest deviation near "
-                    "0.",
-                    "period 1, from -2 to 2", 1e-15,
-                    bl_curves_largest(listing_less_mod, gallery, -2, 2));
-    bl_make_claim(run, "peachey2003, p. 31",
-                  "The listing of mod gives a remainder below the period, at 3e9 + 1/4 periods "
-                  "too.",
-                  "the conversion to int as usual processors do it", "periods", 0, 1,
-                  bl_exactly(printed_mod(far, 1), 1), "places");
+    bl_curves_claim(
+        run, "peachey2003, p. 31",
+        "The listing of mod gives the positive remainder: the largest deviation near 0.",
+        "period 1, from -2 to 2", 1e-15, bl_curves_largest(listing_less_mod, gallery, -2, 2));
+    bl_make_claim(
+        run, "peachey2003, p. 31",
+        "The listing of mod gives a remainder below the period, at 3e9 + 1/4 periods too.",
+        "the conversion to int as usual processors do it", "periods", 0, 1,
+        bl_exactly(printed_mod(far, 1), 1), "places");
     bl_make_claim(run, "peachey2003, p. 31",
                   "The listing of mod gives a remainder below the period, just below 0 too: the "
                   "distance to the period is above 0.",
@@ -63,14 +62,14 @@ static void claim_listings(bl_run *run, const bl_gallery *gallery) {
                   "FLOOR(x) is floor(x), but for its type, at 3e9 too: the difference.",
                   "the conversion to int as usual processors do it", "", 0, 0,
                   bl_exactly(printed_floor(far) - floor(far), 1), "places");
-    bl_make_claim(run, "bandlimit",
-                  "mod is exact at 3e9 + 1/4 periods, and below the period at "
-                  "-1e-20: the larger error.",
-                  "period 1", "periods", 0, 0x1p-53,
-                  bl_exactly(fmax(fabs(bl_curves_at(gallery, TOOTH, far) - 0.25),
-                                  1 - bl_curves_at(gallery, TOOTH, -1e-20)),
-                             2),
-                  "places");
+    bl_make_claim(
+        run, "bandlimit",
+        "mod is exact at 3e9 + 1/4 periods, and below the period at -1e-20: the larger error.",
+        "period 1", "periods", 0, 0x1p-53,
+        bl_exactly(fmax(fabs(bl_curves_at(gallery, TOOTH, far) - 0.25),
+                        1 - bl_curves_at(gallery, TOOTH, -1e-20)),
+                   2),
+        "places");
 }
 
 static void run_figure(bl_run *run) {
@@ -79,16 +78,14 @@ static void run_figure(bl_run *run) {
         {"floor", "floor(x)", BL_INK_FOURTH, BL_STROKE_DASHED},
         {"mod:width=0.25", "mod averaged over 1/4", BL_INK_THEORY, BL_STROKE_THIN},
         {"mod:period=-1", "mod(x, -1)", BL_INK_SECOND, BL_STROKE_DASHED}};
-    static const bl_curves plot = {
-        .title = "What do mod and floor do, below 0 too?",
-        .alternative =
-            "A sawtooth that rises from 0 to 1 in each period, on both sides of 0, its "
-            "average with slanted falls, the stairs of floor, and the sawtooth of a "
-            "negative period from -1 to 0.",
-        .curves = curves,
-        .count = 4,
-        .x = {"x / a", -2, 2, 0.5, 0},
-        .y = {"value", -2.1, 1.1, 0.5, 0}};
+    static const bl_curves plot = {.alternative =
+                                       "A sawtooth that rises from 0 to 1 in each period, on both "
+                                       "sides of 0, its average with slanted falls, the stairs of "
+                                       "floor, and the sawtooth of a negative period from -1 to 0.",
+                                   .curves = curves,
+                                   .count = 4,
+                                   .x = {"x / a", -2, 2, 0.5, 0},
+                                   .y = {"value", -2.1, 1.1, 0.5, 0}};
     const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 31",
                     "mod(x, a) / a has the amplitude 1: the most by which it leaves [0, 1).",
@@ -108,6 +105,6 @@ BL_FIGURE_DESCRIPTOR(peachey_2_14) = {
     .question = "What do mod and floor do, below 0 too?",
     .paper = "peachey2003, fig. 2.14",
     .shows =
-        "The sawtooth, its average, and the stairs of floor. The text's listings of mod and "
-        "floor go through an int: the claims say where that fails.",
+        "The sawtooth, its average, and the stairs of floor. The text's listings of mod and floor "
+        "go through an int: the claims say where that fails.",
     .run = run_figure};

@@ -32,11 +32,10 @@ static void run_figure(bl_run *run) {
         {"pulse:low=0.4,high=0.6,width=0.3", "averaged over 0.3", BL_INK_THEORY, BL_STROKE_THIN},
         {"pulse:low=0.4,high=0.6,width=1", "over 1", BL_INK_THIRD, BL_STROKE_DASHED}};
     static const bl_curves plot = {
-        .title = "How does mod make a function periodic?",
         .alternative =
-            "One pulse from 0.4 to 0.6, the sawtooth of mod, and the row of pulses, one "
-            "in each period, that the two make. Averaged over 0.3 the pulses become "
-            "trapezia two thirds as high, over a whole period the level line 0.2.",
+            "One pulse from 0.4 to 0.6, the sawtooth of mod, and the row of pulses, one in each "
+            "period, that the two make. Averaged over 0.3 the pulses become trapezia two thirds as "
+            "high, over a whole period the level line 0.2.",
         .curves = curves,
         .count = 5,
         .x = {"x / a", -1, 3, 0.5, 0},
@@ -49,10 +48,10 @@ static void run_figure(bl_run *run) {
     bl_make_claim(run, "bandlimit", "No width changes the mean of the pulses, 0.2.",
                   "averaged over 0.3 a, by 400 places over a period", "", 0.2 - 1e-12, 0.2 + 1e-12,
                   bl_exactly(mean_of_average(&gallery), 400), "places");
-    bl_curves_claim(run, "bandlimit",
-                    "Averaged over a whole period the pulses are their mean: the largest "
-                    "deviation from 0.2.",
-                    "from -1 to 3", 1e-15, bl_curves_largest(wide_less_mean, &gallery, -1, 3));
+    bl_curves_claim(
+        run, "bandlimit",
+        "Averaged over a whole period the pulses are their mean: the largest deviation from 0.2.",
+        "from -1 to 3", 1e-15, bl_curves_largest(wide_less_mean, &gallery, -1, 3));
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_15) = {
@@ -61,6 +60,6 @@ BL_FIGURE_DESCRIPTOR(peachey_2_15) = {
     .question = "How does mod make a function periodic?",
     .paper = "peachey2003, fig. 2.15",
     .shows =
-        "A pulse, the sawtooth of mod, the periodic pulse that the first makes of the second, "
-        "and its averages over 0.3 and over the whole of a period.",
+        "A pulse, the sawtooth of mod, the periodic pulse that the first makes of the second, and "
+        "its averages over 0.3 and over the whole of a period.",
     .run = run_figure};

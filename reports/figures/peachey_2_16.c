@@ -50,11 +50,10 @@ static void run_figure(bl_run *run) {
     static const bl_limit limits[] = {
         {1, 0.2, "knots"}, {1, 0.4, NULL}, {1, 0.6, NULL}, {1, 0.8, NULL}};
     static const bl_curves plot = {
-        .title = "How does a Catmull-Rom spline pass its knots?",
         .alternative =
-            "A wavy curve from 0 to 1 that passes 0, 0.8, 0.3, 0.9, 0.5 and 1 at evenly "
-            "spaced places, its average over one span with flatter waves, and a spline "
-            "through squares, which is the parabola x^2.",
+            "A wavy curve from 0 to 1 that passes 0, 0.8, 0.3, 0.9, 0.5 and 1 at evenly spaced "
+            "places, its average over one span with flatter waves, and a spline through squares, "
+            "which is the parabola x^2.",
         .curves = curves,
         .count = 3,
         .x = {"x", 0, 1, 0.2, 0},
@@ -69,10 +68,10 @@ static void run_figure(bl_run *run) {
     bl_curves_claim(run, "bandlimit",
                     "A spline through squares is a parabola: the largest deviation.", "from 0 to 1",
                     4e-15, bl_curves_largest(square_less_spline, &gallery, 0, 1));
-    bl_curves_claim(run, "peachey2003, p. 70",
-                    "Catmull-Rom splines make the derivative continuous: its largest jump at a "
-                    "knot, per span.",
-                    "one-sided differences over 1e-4 of a span", 1e-6, jump_at_knots(&gallery, 1));
+    bl_curves_claim(
+        run, "peachey2003, p. 70",
+        "Catmull-Rom splines make the derivative continuous: its largest jump at a knot, per span.",
+        "one-sided differences over 1e-4 of a span", 1e-6, jump_at_knots(&gallery, 1));
     bl_curves_claim(run, "peachey2003, p. 70",
                     "Catmull-Rom splines make the second derivative continuous: its largest jump "
                     "at a knot, per span squared.",
@@ -86,6 +85,6 @@ BL_FIGURE_DESCRIPTOR(peachey_2_16) = {
     .paper = "peachey2003, fig. 2.16",
     .shows =
         "A spline of eight knots, of which the outer two only set the slopes at the ends; its "
-        "average over one span; and a spline through squares. The first derivative is "
-        "continuous, the second, as against the text, is not.",
+        "average over one span; and a spline through squares. The first derivative is continuous, "
+        "the second, as against the text, is not.",
     .run = run_figure};

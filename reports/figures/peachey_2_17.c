@@ -51,31 +51,26 @@ static void claim_all(bl_run *run, const bl_signal *signal) {
                   "altitude to the next.",
                   "luminance, 2049 altitudes from the horizon up", "of luminance", -INFINITY, 0,
                   bl_observed(rise, STEPS / 2), "altitudes");
-    bl_make_claim(
-        run, "bandlimit",
-        "A Catmull-Rom spline undershoots: where brown earth meets the pale horizon, blue "
-        "must be cut off at 0, in a part of all altitudes.",
-        "blue cut at 0, below the horizon", "of the altitudes", 0.001, 0.2,
-        bl_exactly((double)dark / (STEPS + 1), STEPS + 1), "altitudes");
+    bl_make_claim(run, "bandlimit",
+                  "A Catmull-Rom spline undershoots: where brown earth meets the pale horizon, "
+                  "blue must be cut off at 0, in a part of all altitudes.",
+                  "blue cut at 0, below the horizon", "of the altitudes", 0.001, 0.2,
+                  bl_exactly((double)dark / (STEPS + 1), STEPS + 1), "altitudes");
 }
 
 static void run_figure(bl_run *run) {
-    const bl_shown shown[] = {{.key = "ball",
-                               .title = "reflected sky",
-                               .text = "metallic",
-                               .samples = 3,
-                               .see = reflect}};
-    const bl_pictures pictures = {
-        .name = "reflection",
-        .title = "What does a polished ball reflect?",
-        .alternative =
-            "A ball, brown below, white at a line below its middle, and blue above, "
-            "darkest at the top of what it reflects.",
-        .shown = shown,
-        .count = 1,
-        .columns = 1,
-        .pixels = (unsigned)bl_run_pick(run, 192, 384, 1024),
-        .unit = "of the picture"};
+    const bl_shown shown[] = {
+        {.key = "ball", .title = "reflected sky", .text = "metallic", .see = reflect}};
+    const bl_pictures pictures = {.name = "reflection",
+                                  .title = "What does a polished ball reflect?",
+                                  .alternative =
+                                      "A ball, brown below, white at a line below its middle, and "
+                                      "blue above, darkest at the top of what it reflects.",
+                                  .shown = shown,
+                                  .count = 1,
+                                  .samples = 3,
+                                  .pixels = (unsigned)bl_run_pick(run, 192, 384, 1024),
+                                  .unit = "of the picture"};
     bl_signal *signal = bl_run_signal(run, "metallic");
     bl_pictures_draw(run, &pictures);
     claim_all(run, signal);

@@ -29,19 +29,17 @@ static void run_figure(bl_run *run) {
         {"gamma:gamma=2.3,width=0.2", "2.3, averaged over 0.2", BL_INK_THIRD, BL_STROKE_DASHED},
         {"gamma:gamma=10/23", "gamma = 1/2.3, the inverse", BL_INK_SECOND, BL_STROKE_DASHED}};
     static const bl_curves plot = {
-        .title = "How does gamma correction move values?",
         .alternative =
-            "Curves from (0, 0) to (1, 1): for 2.3 above the diagonal and steep at 0, "
-            "for 0.4 and 1/2.3 below it; the average of the first is rounded at 0.",
+            "Curves from (0, 0) to (1, 1): for 2.3 above the diagonal and steep at 0, for 0.4 and "
+            "1/2.3 below it; the average of the first is rounded at 0.",
         .curves = curves,
         .count = 4,
         .x = {"x", 0, 1, 0.25, 0},
         .y = {"value", 0, 1, 0.25, 0}};
     const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 37",
-                    "0 and 1 are mapped to themselves: the largest "
-                    "deviation.",
-                    "gamma 0.4 and 2.3", 0, bl_curves_largest(fixed_ends, &gallery, 0, 1));
+                    "0 and 1 are mapped to themselves: the largest deviation.", "gamma 0.4 and 2.3",
+                    0, bl_curves_largest(fixed_ends, &gallery, 0, 1));
     bl_curves_claim(run, "peachey2003, p. 37",
                     "gamma above 1 shifts values upward, below 1 downward: the most by which a "
                     "value is on the wrong side.",
@@ -52,12 +50,11 @@ static void run_figure(bl_run *run) {
                     bl_curves_largest(there_and_back, &gallery, 0, 1));
 }
 
-BL_FIGURE_DESCRIPTOR(peachey_2_18) = {
-    .name = "peachey-2.18",
-    .title = "The gamma correction function",
-    .question = "How does gamma correction move values?",
-    .paper = "peachey2003, fig. 2.18",
-    .shows =
-        "x^(1 / gamma) for the text's 0.4 and 2.3, the inverse of the latter, and its average "
-        "over widths of 0.2.",
-    .run = run_figure};
+BL_FIGURE_DESCRIPTOR(peachey_2_18) = {.name = "peachey-2.18",
+                                      .title = "The gamma correction function",
+                                      .question = "How does gamma correction move values?",
+                                      .paper = "peachey2003, fig. 2.18",
+                                      .shows =
+                                          "x^(1 / gamma) for the text's 0.4 and 2.3, the inverse "
+                                          "of the latter, and its average over widths of 0.2.",
+                                      .run = run_figure};

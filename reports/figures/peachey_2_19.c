@@ -39,8 +39,7 @@ static void write_differences(bl_run *run, double *largest) {
     }
     const bl_column columns[] = {{"b", b, NULL}, {"largest_difference", difference, NULL}};
     bl_run_csv(run, "schlick",
-               "the largest difference of Schlick's bias from "
-               "the power, over x from 0 to 1",
+               "the largest difference of Schlick's bias from the power, over x from 0 to 1",
                columns, 2, 99);
     const bl_series series = {
         BL_STROKE_LINE, BL_INK_MEASURED, "schlick.csv", "b", "largest_difference", NULL, NULL, 0};
@@ -49,11 +48,10 @@ static void write_differences(bl_run *run, double *largest) {
                           .x = {"b", 0, 1, 0.25, 0},
                           .y = {"largest difference", 0, 0, 0, 0},
                           .panels = &panel,
-                          .panel_count = 1,
-                          .columns = 1};
+                          .panel_count = 1};
     bl_run_plot(run, "schlick", &plot,
-                "The largest difference of the two forms against b: 0 at 1/2, where "
-                "both are straight, and rising to both sides.");
+                "The largest difference of the two forms against b: 0 at 1/2, where both are "
+                "straight, and rising to both sides.");
 }
 
 static void run_figure(bl_run *run) {
@@ -70,9 +68,9 @@ static void run_figure(bl_run *run) {
     static const bl_curves plot = {
         .title = "How does bias move the middle?",
         .alternative =
-            "Curves from (0, 0) to (1, 1) that pass b at x = 1/2, for b of 0.1, 0.3, 0.7 "
-            "and 0.9, each as a power and as Schlick's ratio, which run close together "
-            "for 0.3 and 0.7 and apart for 0.1 and 0.9.",
+            "Curves from (0, 0) to (1, 1) that pass b at x = 1/2, for b of 0.1, 0.3, 0.7 and 0.9, "
+            "each as a power and as Schlick's ratio, which run close together for 0.3 and 0.7 and "
+            "apart for 0.1 and 0.9.",
         .curves = curves,
         .count = 2 * VALUES,
         .x = {"x", 0, 1, 0.25, 0},
@@ -86,8 +84,8 @@ static void run_figure(bl_run *run) {
                     "b of 0.1, 0.3, 0.7 and 0.9", 1e-15, bl_curves_largest(middle, &gallery, 0, 4));
     write_differences(run, &largest);
     bl_make_claim(run, "peachey2003, p. 39",
-                  "Schlick's ratio approximates bias: its largest difference from the power is "
-                  "at most a tenth, which is our reading of it.",
+                  "Schlick's ratio approximates bias: its largest difference from the power is at "
+                  "most a tenth, which is our reading of it.",
                   "b from 0.1 to 0.9 by 0.01, 4001 places each", "", 0, 0.1,
                   bl_exactly(largest, 81 * 4001.0), "places");
 }
@@ -98,6 +96,6 @@ BL_FIGURE_DESCRIPTOR(peachey_2_19) = {
     .question = "How does bias move the middle, and how good is Schlick's cheap form?",
     .paper = "peachey2003, fig. 2.19",
     .shows =
-        "bias for several b, as the power of the text and as Schlick's ratio of two lines; "
-        "then the largest difference of the two over all b.",
+        "bias for several b, as the power of the text and as Schlick's ratio of two lines; then "
+        "the largest difference of the two over all b.",
     .run = run_figure};

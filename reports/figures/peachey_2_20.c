@@ -47,9 +47,8 @@ static void run_figure(bl_run *run) {
     static const bl_curves plot = {
         .title = "How does gain bend the unit interval?",
         .alternative =
-            "Curves from (0, 0) to (1, 1) through (1/2, 1/2): S-shaped for g of 0.7 and "
-            "0.9, and level in the middle for 0.3 and 0.1, each as powers and as "
-            "Schlick's ratios close by.",
+            "Curves from (0, 0) to (1, 1) through (1/2, 1/2): S-shaped for g of 0.7 and 0.9, and "
+            "level in the middle for 0.3 and 0.1, each as powers and as Schlick's ratios close by.",
         .curves = curves,
         .count = 2 * VALUES,
         .x = {"x", 0, 1, 0.25, 0},
@@ -70,11 +69,10 @@ static void run_figure(bl_run *run) {
                   "g of 0.1, 0.3, 0.7 and 0.9, from 0 to 1", "", 0, 0.1,
                   bl_exactly(bl_curves_largest(difference, &gallery, 0, 1), BL_CURVES_STEPS + 1),
                   "places");
-    bl_curves_claim(run, "bandlimit",
-                    "Schlick's formula with 1/g - 2 makes the gain of 1 - g: the largest "
-                    "deviation.",
-                    "g = 0.1, from 0 to 1", 1e-15,
-                    bl_curves_largest(as_printed_less_mirrored, &gallery, 0, 1));
+    bl_curves_claim(
+        run, "bandlimit",
+        "Schlick's formula with 1/g - 2 makes the gain of 1 - g: the largest deviation.",
+        "g = 0.1, from 0 to 1", 1e-15, bl_curves_largest(as_printed_less_mirrored, &gallery, 0, 1));
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_20) = {

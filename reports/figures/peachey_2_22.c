@@ -49,27 +49,24 @@ static void claim_all(bl_run *run, bl_signal *const wall[4]) {
     double brick = 0.25 / 0.26 * 0.08 / 0.09;
     bl_make_claim(
         run, "peachey2003, Example: Brick Texture",
-        "A brick is 0.25 by 0.08 within mortar of 0.01: the share of mortar in the wall is "
-        "0.1453.",
+        "A brick is 0.25 by 0.08 within mortar of 0.01: the share of mortar in the wall is 0.1453.",
         "random points", "of the area", 1 - brick - 0.01, 1 - brick + 0.01,
         share_of_mortar(run, wall[0]), "points");
-    bl_make_claim(
-        run, "peachey2003, Example: Antialiased Brick Texture",
-        "The integrals of the pulses account for a filter that overlaps other bricks: the "
-        "largest error against the average over the box is 0 within a row.",
-        "filter=integral, width 0.03", "of the contrast", 0, 1e-12,
-        bl_exactly(largest_error(wall[2], wall[3], 0.03, 1), 16384), "places");
+    bl_make_claim(run, "peachey2003, Example: Antialiased Brick Texture",
+                  "The integrals of the pulses account for a filter that overlaps other bricks: "
+                  "the largest error against the average over the box is 0 within a row.",
+                  "filter=integral, width 0.03", "of the contrast", 0, 1e-12,
+                  bl_exactly(largest_error(wall[2], wall[3], 0.03, 1), 16384), "places");
     bl_make_claim(
         run, "peachey2003, Example: Antialiased Brick Texture",
         "The same where the filter overlaps other rows, which are shifted by half a brick.",
         "filter=integral, width 0.03", "of the contrast", 0, 1e-12,
         bl_exactly(largest_error(wall[2], wall[3], 0.03, 0), 16384), "places");
-    bl_make_claim(
-        run, "peachey2003, Example: Antialiased Brick Texture",
-        "Steps replaced by ramps are not enough for a periodic pattern: the largest error of "
-        "boxstep against the average over the box, within a row.",
-        "filter=boxstep, width 0.03, three times the mortar", "of the contrast", 0.01, INFINITY,
-        bl_exactly(largest_error(wall[1], wall[3], 0.03, 1), 16384), "places");
+    bl_make_claim(run, "peachey2003, Example: Antialiased Brick Texture",
+                  "Steps replaced by ramps are not enough for a periodic pattern: the largest "
+                  "error of boxstep against the average over the box, within a row.",
+                  "filter=boxstep, width 0.03, three times the mortar", "of the contrast", 0.01,
+                  INFINITY, bl_exactly(largest_error(wall[1], wall[3], 0.03, 1), 16384), "places");
 }
 
 static void run_figure(bl_run *run) {
@@ -83,18 +80,17 @@ static void run_figure(bl_run *run) {
         shown[i] = (bl_shown){.key = keys[i],
                               .title = titles[i],
                               .signal = wall[i % 4],
-                              .at = {0.5, 0.5},
-                              .scale = 1,
                               .pixels = i ? COARSE : 0,
-                              .filtered = i % 4 > 0,
-                              .samples = i ? 1 : 3};
+                              .filtered = i % 4 > 0};
     const bl_pictures pictures = {
         .name = "bricks",
-        .title = "What is left of a brick wall at few pixels?",
         .alternative =
-            "A brick wall, and the same at 32 by 32 pixels: by three filters, of which the "
-            "exact one keeps even joints, and by points, which lose most of them.",
+            "A brick wall, and the same at 32 by 32 pixels: by three filters, of which the exact "
+            "one keeps even joints, and by points, which lose most of them.",
         .shown = shown,
+        .at = {0.5, 0.5},
+        .scale = 1,
+        .samples = 3,
         .count = 5,
         .columns = 3,
         .pixels = COARSE * (unsigned)bl_run_pick(run, 6, 12, 24),
@@ -109,7 +105,7 @@ BL_FIGURE_DESCRIPTOR(peachey_2_22) = {
     .question = "What is left of a brick wall at few pixels?",
     .paper = "peachey2003, fig. 2.22",
     .shows =
-        "The wall of the text, and the same with 32 by 32 pixels, each 0.031 units wide and "
-        "three times as wide as the mortar: by the text's filters, by the average over the "
-        "pixel, and by one point a pixel.",
+        "The wall of the text, and the same with 32 by 32 pixels, each 0.031 units wide and three "
+        "times as wide as the mortar: by the text's filters, by the average over the pixel, and by "
+        "one point a pixel.",
     .run = run_figure};

@@ -36,12 +36,11 @@ static void claim_all(bl_run *run, const bl_signal *bump, const bl_signal *slope
     double right = light_across(bump, flat, 1, 0.255, 0.26);
     double top = light_across(bump, flat, 0, 0.085, 0.09);
     double bottom = light_across(bump, flat, 0, 0, 0.005);
-    bl_make_claim(
-        run, "peachey2003, Bump-Mapped Brick",
-        "Bent normals look like grooves: the side of a brick that faces the light is lighter "
-        "than the one that faces away, left against right.",
-        "light on the slopes, light from the upper left", "of full light", 0.05, 1,
-        bl_exactly(left - right, 400), "places");
+    bl_make_claim(run, "peachey2003, Bump-Mapped Brick",
+                  "Bent normals look like grooves: the side of a brick that faces the light is "
+                  "lighter than the one that faces away, left against right.",
+                  "light on the slopes, light from the upper left", "of full light", 0.05, 1,
+                  bl_exactly(left - right, 400), "places");
     bl_make_claim(run, "peachey2003, Bump-Mapped Brick", "The same, upper against lower side.",
                   "light on the slopes", "of full light", 0.05, 1, bl_exactly(top - bottom, 400),
                   "places");
@@ -61,42 +60,28 @@ static void claim_all(bl_run *run, const bl_signal *bump, const bl_signal *slope
 }
 
 static void run_figure(bl_run *run) {
-    static const char *const texts[] = {"bumpbrick", "bumpbrick:filter=slope", "brick"};
-    bl_signal *wall[3];
-    bl_run_signals(run, texts, 3, wall);
-    const bl_shown shown[] = {{.key = "bumps",
-                               .title = "bumpbrick",
-                               .signal = wall[0],
-                               .at = {0.35, 0.2},
-                               .scale = 0.36,
-                               .samples = 3},
-                              {.key = "flat",
-                               .title = "brick, without bumps",
-                               .signal = wall[2],
-                               .at = {0.35, 0.2},
-                               .scale = 0.36,
-                               .samples = 3},
-                              {.key = "slope",
-                               .title = "averaged slopes, few pixels",
-                               .signal = wall[1],
-                               .at = {0.35, 0.2},
-                               .scale = 0.36,
-                               .pixels = 48,
-                               .filtered = 1}};
+    const bl_signal *bump = bl_run_signal(run, "bumpbrick"), *flat = bl_run_signal(run, "brick");
+    const bl_signal *slope = bl_run_signal(run, "bumpbrick:filter=slope");
+    const bl_shown shown[] = {
+        {.key = "bumps", .title = "bumpbrick", .signal = bump},
+        {.key = "flat", .title = "brick, without bumps", .signal = flat},
+        {"slope", "averaged slopes, few pixels", .signal = slope, .pixels = 48, .filtered = 1}};
     const bl_pictures pictures = {
         .name = "grooves",
-        .title = "What does a bent normal add to bricks?",
         .alternative =
-            "Bricks with mortar in grooves that are light on one side and dark on the "
-            "other; the same without grooves; and with 48 by 48 pixels.",
+            "Bricks with mortar in grooves that are light on one side and dark on the other; the "
+            "same without grooves; and with 48 by 48 pixels.",
         .shown = shown,
         .count = 3,
         .columns = 3,
+        .at = {0.35, 0.2},
+        .scale = 0.36,
+        .samples = 3,
         .pixels = 48 * (unsigned)bl_run_pick(run, 4, 8, 20),
         .upwards = 1,
         .unit = "pictures of 0.36 units"};
     bl_pictures_draw(run, &pictures);
-    claim_all(run, wall[0], wall[1], wall[2]);
+    claim_all(run, bump, slope, flat);
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_25) = {

@@ -24,50 +24,37 @@ static bl_estimate area_of(const bl_signal *signal, int exact, int side) {
 }
 
 static void run_figure(bl_run *run) {
-    static const char *const texts[] = {"star", "star:form=printed", "star:filter=exact"};
-    bl_signal *star[3];
-    bl_run_signals(run, texts, 3, star);
-    const bl_shown shown[] = {{.key = "corrected",
-                               .title = "corrected",
-                               .signal = star[0],
-                               .at = {0.5, 0.5},
-                               .scale = 0.5,
-                               .samples = 4},
-                              {.key = "printed",
-                               .title = "as printed",
-                               .signal = star[1],
-                               .at = {0.5, 0.5},
-                               .scale = 0.5,
-                               .samples = 4},
-                              {.key = "exact",
-                               .title = "corrected, few pixels",
-                               .signal = star[2],
-                               .at = {0.5, 0.5},
-                               .scale = 0.5,
-                               .pixels = 32,
-                               .filtered = 1}};
+    const bl_signal *corrected = bl_run_signal(run, "star");
+    const bl_signal *printed = bl_run_signal(run, "star:form=printed");
+    const bl_signal *exact = bl_run_signal(run, "star:filter=exact");
+    const bl_shown shown[] = {
+        {.key = "corrected", .title = "corrected", .signal = corrected},
+        {.key = "printed", .title = "as printed", .signal = printed},
+        {"exact", "corrected, few pixels", .signal = exact, .pixels = 32, .filtered = 1}};
     const bl_pictures pictures = {
         .name = "stars",
-        .title = "Does the listing draw a star?",
         .alternative =
-            "A five-pointed star with straight edges; the same with fatter points and "
-            "shallow notches, as printed; and the star at 32 by 32 pixels.",
+            "A five-pointed star with straight edges; the same with fatter points and shallow "
+            "notches, as printed; and the star at 32 by 32 pixels.",
         .shown = shown,
         .count = 3,
         .columns = 3,
+        .at = {0.5, 0.5},
+        .scale = 0.5,
+        .samples = 4,
         .pixels = 32 * (unsigned)bl_run_pick(run, 6, 12, 32),
         .unit = "pictures of half a unit"};
     bl_pictures_draw(run, &pictures);
     static const char source[] = "peachey2003, Example: Procedural Star Texture";
     static const char sentence[] =
-        "Edges run straight from tips at 0.2 to notches at 0.07: the area is "
-        "5 * 0.2 * 0.07 sin 36 degrees = 0.041145.";
+        "Edges run straight from tips at 0.2 to notches at 0.07: the area is 5 * 0.2 * 0.07 sin 36 "
+        "degrees = 0.041145.";
     int side = (int)bl_run_pick(run, 1000, 3000, 10000);
     double area = 5 * 0.2 * 0.07 * sin(M_PI / 5), allowed = 2e-3;
     bl_make_claim(run, source, sentence, "corrected, areas of 100 x 100 cells", "square units",
-                  area - 1e-9, area + 1e-9, area_of(star[2], 1, 100), "cells");
+                  area - 1e-9, area + 1e-9, area_of(exact, 1, 100), "cells");
     bl_make_claim(run, source, sentence, "as printed, points", "square units", area - allowed,
-                  area + allowed, area_of(star[1], 0, side), "points");
+                  area + allowed, area_of(printed, 0, side), "points");
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_27) = {

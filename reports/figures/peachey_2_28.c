@@ -47,35 +47,29 @@ static double thickest(bl_run *run, const bl_signal *sky) {
 static void run_figure(bl_run *run) {
     bl_signal *sky = bl_run_signal(run, "cloudplane");
     const bl_shown shown[] = {
-        {.key = "near", .title = "80 units", .signal = sky, .scale = 80, .samples = 2},
-        {.key = "far", .title = "320 units", .signal = sky, .scale = 320, .samples = 2},
-        {.key = "contrast",
-         .title = "contrast 2.5",
-         .text = "cloudplane:contrast=2.5",
-         .scale = 80,
-         .samples = 2}};
-    const bl_pictures pictures = {
-        .name = "clouds",
-        .title = "Do five cosine products look like clouds?",
-        .alternative =
-            "Soft white clouds on blue, some of them alike; from further away they stand "
-            "in a regular pattern.",
-        .shown = shown,
-        .count = 3,
-        .columns = 3,
-        .pixels = (unsigned)bl_run_pick(run, 128, 320, 1024),
-        .unit = "pictures"};
+        {.key = "near", .title = "80 units", .signal = sky},
+        {.key = "far", .title = "320 units", .signal = sky, .scale = 320},
+        {.key = "contrast", .title = "contrast 2.5", .text = "cloudplane:contrast=2.5"}};
+    const bl_pictures pictures = {.name = "clouds",
+                                  .alternative =
+                                      "Soft white clouds on blue, some of them alike; from further "
+                                      "away they stand in a regular pattern.",
+                                  .shown = shown,
+                                  .count = 3,
+                                  .columns = 3,
+                                  .scale = 80,
+                                  .samples = 2,
+                                  .pixels = (unsigned)bl_run_pick(run, 128, 320, 1024),
+                                  .unit = "pictures"};
     bl_pictures_draw(run, &pictures);
-    bl_make_claim(
-        run, "peachey2003, Spectral Synthesis",
-        "Magic numbers prevent regular patterns: the correlation of the sky with itself one "
-        "coarsest wave (43.5 units) further on is below 1/2.",
-        "along x, random places", "", -INFINITY, 0.5, likeness(run, sky, 1 / 0.023),
-        "batches of places");
+    bl_make_claim(run, "peachey2003, Spectral Synthesis",
+                  "Magic numbers prevent regular patterns: the correlation of the sky with itself "
+                  "one coarsest wave (43.5 units) further on is below 1/2.",
+                  "along x, random places", "", -INFINITY, 0.5, likeness(run, sky, 1 / 0.023),
+                  "batches of places");
     bl_make_claim(
         run, "bandlimit",
-        "The listing clamps the sum to 1, which it never reaches: the bound of the sum is "
-        "0.392.",
+        "The listing clamps the sum to 1, which it never reaches: the bound of the sum is 0.392.",
         "the thickest cloud of random places", "of the way to white", 0, 0.392,
         bl_observed(thickest(run, sky), bl_run_pick(run, 20000, 200000, 2000000)), "places");
 }

@@ -80,34 +80,31 @@ static void draw(bl_run *run) {
     const bl_panel panels[] = {{"sampling", sampled, 2, NULL},
                                {"joined by lines", joined, 3, NULL},
                                {"each sample a sinc", rebuilt, 3, NULL}};
-    const bl_plot plot = {.title = "What can be made of samples again?",
-                          .x = {"x, sampling intervals", 0, SAMPLES, 8, 0},
+    const bl_plot plot = {.x = {"x, sampling intervals", 0, SAMPLES, 8, 0},
                           .y = {"value", -1.5, 1.5, 0.5, 0},
                           .panels = panels,
                           .panel_count = 3,
-                          .columns = 1,
                           .aspect = 0.3};
-    bl_run_plot(run, "sampling", &plot,
-                "Three graphs of one wavy signal with dots at its samples: alone, with "
-                "lines from dot to dot that cut its crests, and with a curve through "
-                "the dots that lies on the signal.");
+    bl_run_plot(
+        run, "sampling", &plot,
+        "Three graphs of one wavy signal with dots at its samples: alone, with lines from dot to "
+        "dot that cut its crests, and with a curve through the dots that lies on the signal.");
 }
 
 static void run_figure(bl_run *run) {
     bl_run_setting(run, "signal", "four waves of 2, 5, 9 and 13 cycles in 32 samples");
     draw(run);
     const double count = DRAWN - 1;
+    bl_make_claim(run, section,
+                  "A signal whose highest frequency is below half the sampling rate is rebuilt "
+                  "from its samples: the rms error.",
+                  "the highest at 13/32 of the rate, each sample a sinc", "of full scale 1", 0,
+                  1e-12, bl_exactly(error_of(band_limited, ideal), count), "places");
     bl_make_claim(
         run, section,
-        "A signal whose highest frequency is below half the sampling rate is rebuilt from "
-        "its samples: the rms error.",
-        "the highest at 13/32 of the rate, each sample a sinc", "of full scale 1", 0, 1e-12,
-        bl_exactly(error_of(band_limited, ideal), count), "places");
-    bl_make_claim(run, section,
-                  "That holds at half the sampling rate too (\"less than or equal\"): the rms "
-                  "error.",
-                  "a sine of exactly half the rate, whose samples are all 0", "of full scale 1", 0,
-                  1e-12, bl_exactly(error_of(at_the_limit, ideal), count), "places");
+        "That holds at half the sampling rate too (\"less than or equal\"): the rms error.",
+        "a sine of exactly half the rate, whose samples are all 0", "of full scale 1", 0, 1e-12,
+        bl_exactly(error_of(at_the_limit, ideal), count), "places");
     bl_make_claim(run, "bandlimit", "Lines from sample to sample do not rebuild it: the rms error.",
                   "the same signal", "of full scale 1", 0.01, 1,
                   bl_exactly(error_of(band_limited, linear), count), "places");

@@ -75,11 +75,9 @@ static void draw_signal(bl_run *run) {
                           .y = {"value", -1.2, 1.2, 0.5, 0},
                           .panels = &panel,
                           .panel_count = 1,
-                          .columns = 1,
                           .aspect = 0.35};
     bl_run_plot(run, "alias", &plot,
-                "A fast sine, dots at its samples, and a slow sine through "
-                "the same dots.");
+                "A fast sine, dots at its samples, and a slow sine through the same dots.");
 }
 
 typedef struct folding {
@@ -122,14 +120,12 @@ static void draw_folding(bl_run *run, const folding *f) {
                           .y = {"seen, cycles per sample", 0, 0.6, 0.1, 0},
                           .panels = &panel,
                           .panel_count = 1,
-                          .columns = 1,
                           .aspect = 0.4,
                           .limits = limits,
                           .limit_count = 1};
     bl_run_plot(run, "folding", &plot,
-                "A zigzag between 0 and one half: up with the frequency of the sine to "
-                "half the sampling rate, down to 0 at the rate, and so on; the "
-                "measured points lie on it.");
+                "A zigzag between 0 and one half: up with the frequency of the sine to half the "
+                "sampling rate, down to 0 at the rate, and so on; the measured points lie on it.");
 }
 
 static void run_figure(bl_run *run) {
@@ -152,17 +148,16 @@ static void run_figure(bl_run *run) {
                   "frequency.",
                   "sines of 0 to 3 cycles per sample", "cycles per sample", 0, bin,
                   bl_observed(f.largest_miss, waves), "sines");
-    bl_make_claim(run, section,
-                  "The frequencies that samples show do not exceed half the sampling rate: the "
-                  "highest.",
-                  "sines of 0 to 3 cycles per sample", "cycles per sample", 0, 0.5,
-                  bl_observed(f.highest, waves), "sines");
     bl_make_claim(
         run, section,
-        "The energy beyond does not disappear: the least mean square of samples over that "
-        "of their sine.",
-        "the same, but for those that fold to within 8 cycles of 0 or of half the rate", "", 0.95,
-        1.05, bl_observed(f.least_energy, waves), "sines");
+        "The frequencies that samples show do not exceed half the sampling rate: the highest.",
+        "sines of 0 to 3 cycles per sample", "cycles per sample", 0, 0.5,
+        bl_observed(f.highest, waves), "sines");
+    bl_make_claim(run, section,
+                  "The energy beyond does not disappear: the least mean square of samples over "
+                  "that of their sine.",
+                  "the same, but for those that fold to within 8 cycles of 0 or of half the rate",
+                  "", 0.95, 1.05, bl_observed(f.least_energy, waves), "sines");
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_30) = {

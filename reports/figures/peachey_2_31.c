@@ -9,8 +9,8 @@
 static void draw_widths(bl_run *run, const double *place, const double *width) {
     const bl_wall_row row = {"width_mortars", "point sampled", width, BL_INK_MEASURED};
     bl_wall_draw_widths(run, "level joints of the wall, point sampled", place, &row, 1,
-                        "Dots of twenty joints: some at 0, as if there were no mortar, the "
-                        "others at one and a half.");
+                        "Dots of twenty joints: some at 0, as if there were no mortar, the others "
+                        "at one and a half.");
 }
 
 // A joint of 0.64 pixels holds the centre of one pixel, which is drawn whole, or of none.
@@ -26,8 +26,8 @@ static void run_figure(bl_run *run) {
     double place[BL_WALL_JOINTS], width[BL_WALL_JOINTS];
     const bl_wall wall = bl_wall_open(run);
     bl_wall_draw(run, &wall, "point", "brick", "What does a brick wall look like aliased?",
-                 "Two pictures of a brick wall with joints that are missing in places and "
-                 "a whole pixel wide in others, in perspective with false patterns.");
+                 "Two pictures of a brick wall with joints that are missing in places and a whole "
+                 "pixel wide in others, in perspective with false patterns.");
     bl_wall_widths(run, &wall, "point", place, width);
     draw_widths(run, place, width);
     bl_make_claim(run, "peachey2003, Methods of Antialiasing Procedural Textures, fig. 2.31",

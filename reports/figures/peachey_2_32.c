@@ -34,10 +34,8 @@ static void draw(bl_run *run) {
     }
     const bl_column columns[] = {
         {"x", x, NULL}, {"step", step, NULL}, {"box", box, NULL}, {"boxstep", ramp, NULL}};
-    bl_run_csv(run, "steps",
-               "a step, a box and the average of one under the "
-               "other",
-               columns, 4, STEPS + 1);
+    bl_run_csv(run, "steps", "a step, a box and the average of one under the other", columns, 4,
+               STEPS + 1);
     static const char file[] = "steps.csv";
     const bl_series before[] = {
         {BL_STROKE_LINE, BL_INK_PLAIN, file, "x", "step", NULL, "step(b, x)", 0},
@@ -49,8 +47,7 @@ static void draw(bl_run *run) {
     const bl_panel panels[] = {{"a step and the box from x to x + w", before, 3, NULL},
                                {"the average over the box that begins at x", after, 2, NULL}};
     const bl_limit limits[] = {{1, edge - width, "a = b - w"}, {1, edge, "b"}};
-    const bl_plot plot = {.title = "What does a box filter make of a step?",
-                          .x = {.label = "x", .to = 1, .tick = 0.2},
+    const bl_plot plot = {.x = {.label = "x", .to = 1, .tick = 0.2},
                           .y = {.label = "value", .from = -0.1, .to = 1.2, .tick = 0.2},
                           .panels = panels,
                           .panel_count = 2,
@@ -58,10 +55,10 @@ static void draw(bl_run *run) {
                           .aspect = 0.6,
                           .limits = limits,
                           .limit_count = 2};
-    bl_run_plot(run, "steps", &plot,
-                "Left a step from 0 to 1 at b with a box from x to x + w that straddles it; "
-                "right the average over the box: 0 up to a = b - w, a straight line to 1 at "
-                "b, and 1 from there on.");
+    bl_run_plot(
+        run, "steps", &plot,
+        "Left a step from 0 to 1 at b with a box from x to x + w that straddles it; right the "
+        "average over the box: 0 up to a = b - w, a straight line to 1 at b, and 1 from there on.");
 }
 
 static void claim_shape(bl_run *run) {
@@ -113,8 +110,8 @@ static void claim_alias(bl_run *run) {
     double filtered = alias_of_steps(bl_filter_find("box"), period);
     bl_make_claim(
         run, section,
-        "If the filter width is chosen correctly, boxstep should reduce aliasing "
-        "compared to the step: the power that is aliased, with the box over without.",
+        "If the filter width is chosen correctly, boxstep should reduce aliasing compared to the "
+        "step: the power that is aliased, with the box over without.",
         bl_run_text(run, "steps up and down with a period of %g samples, w one sample", period),
         "dB", -200, 0, bl_exactly(10 * log10(filtered / raw), 1), "wave");
     bl_run_setting(run, "aliased power of the steps",

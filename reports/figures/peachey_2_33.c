@@ -103,8 +103,7 @@ static void draw(bl_run *run, const float *values, const bl_summed_area *table) 
         panels[k].title = titles[k];
         panels[k].image = bl_run_text(run, "%s.png", names[k]);
     }
-    const bl_plot plot = {.title = "How do four entries of a table give the sum over a box?",
-                          .x = {.label = "s, pixels", .to = SIDE, .tick = 24},
+    const bl_plot plot = {.x = {.label = "s, pixels", .to = SIDE, .tick = 24},
                           .y = {.label = "t, pixels", .from = SIDE, .tick = 24},
                           .panels = panels,
                           .panel_count = PANELS,
@@ -115,11 +114,10 @@ static void draw(bl_run *run, const float *values, const bl_summed_area *table) 
                           .pixel = 1,
                           .scale_label = "value"};
     bl_run_plot(run, "geometry", &plot,
-                "Four grey pictures: an image of rings, dark but for the rectangle from "
-                "the upper left corner to s = 66, t = 60; the same, dark but for the box "
-                "from 30, 24 to 66, 60; the table, which brightens steadily towards the "
-                "lower right; and the image averaged by boxes of 12 by 12 pixels, with the "
-                "fine rings gone grey.");
+                "Four grey pictures: an image of rings, dark but for the rectangle from the upper "
+                "left corner to s = 66, t = 60; the same, dark but for the box from 30, 24 to 66, "
+                "60; the table, which brightens steadily towards the lower right; and the image "
+                "averaged by boxes of 12 by 12 pixels, with the fine rings gone grey.");
 }
 
 static void run_figure(bl_run *run) {

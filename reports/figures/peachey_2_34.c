@@ -14,8 +14,8 @@ static void draw_widths(bl_run *run, const double *place, double width[METHODS][
         {"point_mortars", "point sampled", width[POINT], BL_INK_THEORY},
         {"integral_mortars", "box filtered", width[INTEGRAL], BL_INK_MEASURED}};
     bl_wall_draw_widths(run, "level joints of the wall", place, rows, METHODS,
-                        "Dots of twenty joints: point sampled they jump between 0 and one "
-                        "and a half, box filtered all lie at 1.");
+                        "Dots of twenty joints: point sampled they jump between 0 and one and a "
+                        "half, box filtered all lie at 1.");
 }
 
 static const bl_alias_result *measure(bl_run *run, const bl_wall *wall, const bl_view *view) {
@@ -63,8 +63,8 @@ static void run_figure(bl_run *run) {
     const bl_wall wall = bl_wall_open(run);
     bl_wall_draw(run, &wall, methods[INTEGRAL], "brick",
                  "What does a brick wall look like box filtered?",
-                 "Two pictures of a brick wall with faint, even joints, which fade into an "
-                 "even grey in the distance.");
+                 "Two pictures of a brick wall with faint, even joints, which fade into an even "
+                 "grey in the distance.");
     for (int m = 0; m < METHODS; m++)
         bl_wall_widths(run, &wall, methods[m], place, width[m]);
     draw_widths(run, place, width);
@@ -74,8 +74,8 @@ static void run_figure(bl_run *run) {
         worst = fmax(worst, fabs(width[INTEGRAL][k] - 1));
     bl_make_claim(
         run, "peachey2003, Example: Antialiased Brick Texture, fig. 2.34",
-        "The widths of the joints are more consistent: their standard deviation over "
-        "that of the aliased wall.",
+        "The widths of the joints are more consistent: their standard deviation over that of the "
+        "aliased wall.",
         "20 level joints along the wall", "", 0, 0.5,
         bl_observed(bl_wall_spread(width[INTEGRAL]) / bl_wall_spread(width[POINT]), BL_WALL_JOINTS),
         "joints");

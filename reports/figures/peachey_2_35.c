@@ -19,11 +19,9 @@ static void make_graphs(bl_run *run, const bl_gallery *six) {
         {"edge", "on a lattice edge", {0, 0, 0}, BL_INK_FOURTH, BL_STROKE_THIN},
         {"random", "at a random place", {y, z, 0}, BL_INK_MEASURED, BL_STROKE_LINE}};
     const bl_gallery_graphs graphs = {
-        .title = "What do the six noises look like along a line?",
         .alternative =
-            "Six graphs of value over x for 20 cells, each along a lattice edge and "
-            "at a random place. On the edge gnoise returns to zero at every whole x; "
-            "the other lines do not.",
+            "Six graphs of value over x for 20 cells, each along a lattice edge and at a random "
+            "place. On the edge gnoise returns to zero at every whole x; the other lines do not.",
         .lines = lines,
         .line_count = 2,
         .length = CELLS,
@@ -47,9 +45,8 @@ BL_FIGURE_DESCRIPTOR(peachey_2_35) = {
     .question = "What do the six noises look like along a line?",
     .paper = "peachey2003, fig. 2.35",
     .shows =
-        "Each panel is the graph of one noise over 20 lattice cells. The blue line runs "
-        "parallel to the x axis at a random place between the lattice points; the orange one "
-        "runs along an edge of the lattice, where gradient noise is pinned to zero at every "
-        "whole x. Whether a pattern of the lattice is seen depends on which of the two lines "
-        "is taken.",
+        "Each panel is the graph of one noise over 20 lattice cells. The blue line runs parallel "
+        "to the x axis at a random place between the lattice points; the orange one runs along an "
+        "edge of the lattice, where gradient noise is pinned to zero at every whole x. Whether a "
+        "pattern of the lattice is seen depends on which of the two lines is taken.",
     .run = run_figure};

@@ -13,18 +13,17 @@ static void make_slices(bl_run *run, const bl_gallery *six) {
     double z = 0.25 + 0.5 * bl_random_unit(&random); // well between two planes
     bl_run_setting(run, "slice at a random place", bl_run_text(run, "z = %.6f", z));
     bl_run_setting(run, "slice on a lattice plane", "z = 0");
-    bl_run_setting(
-        run, "image",
-        bl_run_text(run,
-                    "%d x %d cells, %d pixels a cell, x to the right, "
-                    "y downwards; grey from -1 (black) to 1 (white), beyond them clipped, in PNG",
-                    CELLS, CELLS, PER_CELL));
+    bl_run_setting(run, "image",
+                   bl_run_text(run,
+                               "%d x %d cells, %d pixels a cell, x to the right, y downwards; grey "
+                               "from -1 (black) to 1 (white), beyond them clipped, in PNG",
+                               CELLS, CELLS, PER_CELL));
     bl_gallery_slices slices = {
         .name = "random",
         .title = "What do slices between the lattice planes look like?",
         .alternative =
-            "Six grey slices of 16 by 16 cells at a random height between two planes of "
-            "the lattice. Values beyond -1 and 1 are clipped to black and white.",
+            "Six grey slices of 16 by 16 cells at a random height between two planes of the "
+            "lattice. Values beyond -1 and 1 are clipped to black and white.",
         .origin = {0, 0, z, 0},
         .length = CELLS,
         .pixels = CELLS * PER_CELL,
@@ -35,9 +34,8 @@ static void make_slices(bl_run *run, const bl_gallery *six) {
     slices.name = "lattice";
     slices.title = "What do slices on a lattice plane look like?";
     slices.alternative =
-        "The same six noises on a plane of the lattice, where the zeros of "
-        "gradient noise form a grid. Values beyond -1 and 1 are clipped to black "
-        "and white.";
+        "The same six noises on a plane of the lattice, where the zeros of gradient noise form a "
+        "grid. Values beyond -1 and 1 are clipped to black and white.";
     slices.origin[2] = 0;
     bl_gallery_draw_slices(run, six, &slices);
 }
@@ -68,9 +66,8 @@ BL_FIGURE_DESCRIPTOR(peachey_2_36) = {
     .paper = "peachey2003, fig. 2.36",
     .terms = terms,
     .shows =
-        "Slices of 16 by 16 cells, all on the same scale of grey: first at a random height "
-        "between two planes of the lattice, then on a plane, where the regular zeros of "
-        "gradient noise show. The claims put two numbers to the grid pattern: how much the "
-        "variance depends on the place in the cell, and how much the spectrum prefers "
-        "directions.",
+        "Slices of 16 by 16 cells, all on the same scale of grey: first at a random height between "
+        "two planes of the lattice, then on a plane, where the regular zeros of gradient noise "
+        "show. The claims put two numbers to the grid pattern: how much the variance depends on "
+        "the place in the cell, and how much the spectrum prefers directions.",
     .run = run_figure};

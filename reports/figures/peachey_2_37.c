@@ -109,10 +109,10 @@ static void plot_lines(bl_run *run, const bl_six_spectra *spectra) {
         plot_of("Where in frequency does the power of the six noises lie?", panels, &band_end);
     bl_run_plot(
         run, "spectra-line", &plot,
-        "Six power spectra along a line at a random place, each with its 95 % band and the "
-        "closed form, dashed, as the window sees it. All fall steeply towards "
-        "frequency 1 and go on in side lobes beyond. On this scale the three lie upon each other; "
-        "the next plot takes the closed form away. Lines begin at the first frequency above 0.");
+        "Six power spectra along a line at a random place, each with its 95 % band and the closed "
+        "form, dashed, as the window sees it. All fall steeply towards frequency 1 and go on in "
+        "side lobes beyond. On this scale the three lie upon each other; the next plot takes the "
+        "closed form away. Lines begin at the first frequency above 0.");
 }
 
 // A round number above the reach of nearly all points: four standard errors of the widest band.
@@ -164,14 +164,12 @@ static void plot_errors(bl_run *run, const bl_six_spectra *spectra) {
     plot.panel_count = panel_count;
     plot.y = (bl_axis){
         .label = "measured minus closed form, dB", .from = -reach, .to = reach, .tick = reach / 2};
-    bl_run_plot(
-        run, "errors-line", &plot,
-        "Measured minus closed form of the spectra along a line at a random place, a point for "
-        "each frequency, over the band in which 95 % of the points belong if the closed form is "
-        "true: one point in twenty lies outside of it by chance. Neighbours are alike because of "
-        "the "
-        "window; and bins a whole cycle apart hold the same lattice numbers, so that the points of "
-        "a value noise repeat with the period 1.");
+    bl_run_plot(run, "errors-line", &plot,
+                "Measured minus closed form of the spectra along a line at a random place, a point "
+                "for each frequency, over the band in which 95 % of the points belong if the "
+                "closed form is true: one point in twenty lies outside of it by chance. Neighbours "
+                "are alike because of the window; and bins a whole cycle apart hold the same "
+                "lattice numbers, so that the points of a value noise repeat with the period 1.");
 }
 
 static void plot_readings(bl_run *run) {
@@ -197,13 +195,13 @@ static void plot_readings(bl_run *run) {
                                  panels, &band_end);
     bl_run_plot(
         run, "readings", &plot,
-        "The same six noises read in four ways: along a line at a random place, "
-        "along a lattice edge, and by radial frequency in a slice and in a volume. "
-        "The more dimensions, the higher the frequencies that carry the power. Where one "
-        "of the two lines is not seen, it lies under the other. The curves of the volume end at "
-        "frequency 2, the highest that its 4 samples a cell hold. In a slice and in a volume the "
-        "curve falls towards frequency 0 for a reason of geometry: it is the power on the whole "
-        "ring or shell, whose length grows with the radius and whose area with its square.");
+        "The same six noises read in four ways: along a line at a random place, along a lattice "
+        "edge, and by radial frequency in a slice and in a volume. The more dimensions, the higher "
+        "the frequencies that carry the power. Where one of the two lines is not seen, it lies "
+        "under the other. The curves of the volume end at frequency 2, the highest that its 4 "
+        "samples a cell hold. In a slice and in a volume the curve falls towards frequency 0 for a "
+        "reason of geometry: it is the power on the whole ring or shell, whose length grows with "
+        "the radius and whose area with its square.");
 }
 
 static void run_figure(bl_run *run) {
@@ -219,12 +217,11 @@ static void run_figure(bl_run *run) {
 
 static const bl_term terms[] = {
     {"power density",
-     "power by frequency, in dB of the variance of the noise spread over one cycle "
-     "per cell: a spectrum that is flat from 0 to 1 reads 0 dB there"},
+     "power by frequency, in dB of the variance of the noise spread over one cycle per cell: a "
+     "spectrum that is flat from 0 to 1 reads 0 dB there"},
     {"share of the variance",
-     "the power between two frequencies over that of the whole spectrum, "
-     "from 0 to 1; the spectrum sums to the variance of the samples under "
-     "the window"},
+     "the power between two frequencies over that of the whole spectrum, from 0 to 1; the spectrum "
+     "sums to the variance of the samples under the window"},
     {"octave", "a doubling of frequency: 0.5 to 1, 0.25 to 0.5, 0.125 to 0.25, and what is below"},
     {0}};
 
@@ -235,10 +232,9 @@ BL_FIGURE_DESCRIPTOR(peachey_2_37) = {
     .paper = "peachey2003, fig. 2.37",
     .terms = terms,
     .shows =
-        "Each panel is the power spectrum of one noise. First along a line at a random place: "
-        "the measurement with its 95 % band, and the closed form as this window sees it; then "
-        "how far the two lie apart. Last, "
-        "the same noises read in four ways, each as power by frequency that sums to the "
-        "variance; a line, a slice and a volume of one noise have different spectra, and a "
-        "sentence that is true of one may be false of another.",
+        "Each panel is the power spectrum of one noise. First along a line at a random place: the "
+        "measurement with its 95 % band, and the closed form as this window sees it; then how far "
+        "the two lie apart. Last, the same noises read in four ways, each as power by frequency "
+        "that sums to the variance; a line, a slice and a volume of one noise have different "
+        "spectra, and a sentence that is true of one may be false of another.",
     .run = run_figure};

@@ -10,7 +10,6 @@
 
 enum { CELLS = 4, PIXELS = 512, SPAN = 100000 };
 
-static const double unlimited = INFINITY;
 static const char section[] = "peachey2003, Spectral Synthesis";
 
 static const char *const texts[] = {"fractalsum:min=1,max=64", "turbulence:min=1,max=64"};
@@ -26,8 +25,8 @@ static void draw(bl_run *run, const bl_gallery *gallery) {
         .name = "random",
         .title = "What do a fractal sum and turbulence look like in a slice?",
         .alternative =
-            "Two grey slices side by side: the fractal sum is like clouds; turbulence "
-            "is lumpy, with dark creases where an octave passes zero.",
+            "Two grey slices side by side: the fractal sum is like clouds; turbulence is lumpy, "
+            "with dark creases where an octave passes zero.",
         .origin = {0, 0, z, 0},
         .length = CELLS,
         .pixels = PIXELS,
@@ -117,13 +116,12 @@ static void claim_creases(bl_run *run, double *values, size_t count) {
             values[k] = slope_jump(s == TURBULENCE ? folded : basis, basis, &random);
         // Finite differences of a C1 function over h = 1e-6 leave h times its second derivative.
         bl_make_claim(run, section,
-                      s == TURBULENCE
-                          ? "The absolute value folds the function at its zeros, where its "
-                            "derivative jumps: the mean jump of the slope there."
-                          : "Without the absolute value the derivative does not jump at the zeros: "
-                            "the mean jump of the slope there.",
+                      s == TURBULENCE ? "The absolute value folds the function at its zeros, where "
+                                        "its derivative jumps: the mean jump of the slope there."
+                                      : "Without the absolute value the derivative does not jump "
+                                        "at the zeros: the mean jump of the slope there.",
                       s == TURBULENCE ? "turbulence of one octave" : "fractalsum of one octave",
-                      "per cell", s == TURBULENCE ? 0.1 : 0, s == TURBULENCE ? unlimited : 1e-4,
+                      "per cell", s == TURBULENCE ? 0.1 : 0, s == TURBULENCE ? INFINITY : 1e-4,
                       bl_mean_estimate(values, count, 0.95), "zeros along lines");
     }
 }
@@ -141,15 +139,15 @@ static void claim_lines(bl_run *run) {
                                           octaves > 1 ? "s" : "");
         over_lines(run, signal, octaves == 1 ? 1.0 / 64 : 1.0 / 512, lines, count_peaks, own);
         bl_make_claim(run, section,
-                      "The absolute value doubles the number of peaks, because the troughs "
-                      "become peaks: peaks of turbulence over those of the fractal sum.",
+                      "The absolute value doubles the number of peaks, because the troughs become "
+                      "peaks: peaks of turbulence over those of the fractal sum.",
                       reading, "", 1.9, 2.1,
                       bl_ratio_estimate(own[TURBULENCE], own[FRACTALSUM], lines, 0.95), "lines");
         over_lines(run, signal, octaves == 1 ? 1.0 / 64 : 1.0 / 512, lines, sharpest, own);
         bl_make_claim(run, section,
-                      "Turbulence has sharper changes in value: the sharpest bend of a line "
-                      "over its mean bend, turbulence against the fractal sum.",
-                      reading, "", 1, unlimited,
+                      "Turbulence has sharper changes in value: the sharpest bend of a line over "
+                      "its mean bend, turbulence against the fractal sum.",
+                      reading, "", 1, INFINITY,
                       bl_ratio_estimate(own[TURBULENCE], own[FRACTALSUM], lines, 0.95), "lines");
     }
     claim_creases(run, values, lines);
@@ -163,8 +161,8 @@ static void run_figure(bl_run *run) {
 
 static const bl_term terms[] = {
     {"peak",
-     "a maximum along a line, between two samples a 64th of a cell of the highest octave "
-     "apart or less"},
+     "a maximum along a line, between two samples a 64th of a cell of the highest octave apart or "
+     "less"},
     {"bend", "the size of the second difference of three neighbouring samples"},
     {0}};
 
@@ -175,7 +173,7 @@ BL_FIGURE_DESCRIPTOR(peachey_2_38) = {
     .paper = "peachey2003, fig. 2.38",
     .terms = terms,
     .shows =
-        "Two slices through six octaves of gradient noise, whose amplitudes fall as 1/f: the "
-        "plain sum, and the sum of the absolute values, which is never negative. Both share "
-        "one scale of grey.",
+        "Two slices through six octaves of gradient noise, whose amplitudes fall as 1/f: the plain "
+        "sum, and the sum of the absolute values, which is never negative. Both share one scale of "
+        "grey.",
     .run = run_figure};

@@ -13,7 +13,6 @@
 #include "reports/figures/gallery.h"
 #include "spectra/psd.h"
 
-static const double unlimited = INFINITY;
 static const char section[] = "peachey2003, Spectral Synthesis";
 
 enum { LOWEST = 1, HIGHEST = 64, RATE = 256 };
@@ -79,12 +78,11 @@ static void claim_fits(bl_run *run, const bl_gallery *gallery) {
         bl_make_claim(run, section, sentence,
                       bl_run_text(run, "%s, %s", gallery->label[n % 2], of[n / 2]), "", -2.2, -1.8,
                       slopes[n % 2][n / 2], "fits");
-    bl_make_claim(
-        run, "bandlimit",
-        "The octaves of a fractal sum have the variance f^-2 on a width f, so the density "
-        "along a line falls as f^-3: the exponent fitted.",
-        bl_run_text(run, "%s, %s", gallery->label[0], of[0]), "", -3.15, -2.85, slopes[0][0],
-        "fits");
+    bl_make_claim(run, "bandlimit",
+                  "The octaves of a fractal sum have the variance f^-2 on a width f, so the "
+                  "density along a line falls as f^-3: the exponent fitted.",
+                  bl_run_text(run, "%s, %s", gallery->label[0], of[0]), "", -3.15, -2.85,
+                  slopes[0][0], "fits");
 }
 
 // Eleven octaves, of which four are fitted.
@@ -122,7 +120,7 @@ static void claim_clamping(bl_run *run) {
             bl_make_claim(run, section,
                           "Clamping the octaves to the sample width prevents aliasing: the share "
                           "of the variance above Nyquist, over that without clamping.",
-                          bl_run_text(run, "%s, %s", names[n], way_words[w]), "dB", -unlimited, -10,
+                          bl_run_text(run, "%s, %s", names[n], way_words[w]), "dB", -INFINITY, -10,
                           bl_ratio_db(share[w], share[PLAIN]), "averages");
         for (int w = HARD; w < WAYS && n == 1; w++)
             bl_make_claim(run, "bandlimit",
@@ -138,22 +136,22 @@ static void claim_clamping(bl_run *run) {
 
 static void draw(bl_run *run, const bl_gallery *gallery) {
     bl_psd_settings settings = line_settings(run, bl_run_pick(run, 64, 1024, 16384));
-    bl_run_setting(run, "spectra along a line at a random place",
-                   bl_run_text(run,
-                               "%zu averages of %zu samples, %g a unit; a fresh place and a "
-                               "fresh seed for each",
-                               settings.averages, settings.size, settings.rate));
+    bl_run_setting(
+        run, "spectra along a line at a random place",
+        bl_run_text(
+            run, "%zu averages of %zu samples, %g a unit; a fresh place and a fresh seed for each",
+            settings.averages, settings.size, settings.rate));
     const bl_gallery_spectra spectra =
         bl_gallery_measure_spectra(run, gallery, &settings, "along a line");
     const bl_gallery_spectrum_plot plot = {
         .name = "line",
         .title = "How fast does the power of the two sums decline?",
         .alternative =
-            "Power spectra along a line on logarithmic frequency: straight declines from "
-            "the lowest octave to the highest, then a fall. Turbulence falls no faster "
-            "above its highest octave, because its creases have no band limit, and has "
-            "lines at the lattice frequencies of its octaves, because the mean size of "
-            "gradient noise depends on the place in the cell.",
+            "Power spectra along a line on logarithmic frequency: straight declines from the "
+            "lowest octave to the highest, then a fall. Turbulence falls no faster above its "
+            "highest octave, because its creases have no band limit, and has lines at the lattice "
+            "frequencies of its octaves, because the mean size of gradient noise depends on the "
+            "place in the cell.",
         .lowest = 0.25,
         .highest = RATE / 2,
         .lowest_db = -120,
@@ -188,12 +186,11 @@ static void run_figure(bl_run *run) {
 
 static const bl_term terms[] = {
     {"exponent",
-     "the slope of the logarithm of the power over the logarithm of the frequency, by "
-     "least squares over quarter octaves (of the density) or whole ones (of the power "
-     "of each octave)"},
+     "the slope of the logarithm of the power over the logarithm of the frequency, by least "
+     "squares over quarter octaves (of the density) or whole ones (of the power of each octave)"},
     {"clamping",
-     "leaving out the octaves that lie above half the sampling rate: at once (hard), or "
-     "with a weight that fades to 0 over the last octave"},
+     "leaving out the octaves that lie above half the sampling rate: at once (hard), or with a "
+     "weight that fades to 0 over the last octave"},
     {0}};
 
 BL_FIGURE_DESCRIPTOR(peachey_2_39) = {

@@ -49,24 +49,22 @@ static void claim_all(bl_run *run, bl_signal *const marble[4]) {
     const double all[BL_AXES] = {INFINITY, INFINITY, INFINITY}, at[BL_AXES] = {0.1, 0.2, 0.3};
     const double far[BL_AXES] = {100, 100, 100};
     double mean = bl_signal_filtered(marble[0], at, all);
-    bl_make_claim(
-        run, "peachey2003, fig. 2.40",
-        "Without clamping the marble aliases from far away, so clamping brings it nearer to what "
-        "the pixel covers: the squared "
-        "error of the points over that of the faded sum, against averages over boxes.",
-        "boxes of 0.2 units, half a cell of the coarsest octave", "dB", 0, INFINITY,
-        bl_ratio_db(point, fade), "batches of boxes");
-    bl_make_claim(
-        run, "bandlimit",
-        "A faded sum through a map of colours loses what the map makes of the octaves; an "
-        "averaged map keeps it: the squared error of fade over that of map.",
-        "boxes of 0.2 units", "dB", 0, INFINITY, bl_ratio_db(fade, map), "batches of boxes");
-    bl_make_claim(
-        run, "peachey2003, Alternative Antialiasing Methods",
-        "Far away a texture fades to its average colour: the luminance of the faded sum minus "
-        "the mean.",
-        "filter=fade at 100 units", "of the mean", -0.02, 0.02,
-        bl_exactly(bl_signal_filtered(marble[2], at, far) / mean - 1, 1), "place");
+    bl_make_claim(run, "peachey2003, fig. 2.40",
+                  "Without clamping the marble aliases from far away, so clamping brings it nearer "
+                  "to what the pixel covers: the squared error of the points over that of the "
+                  "faded sum, against averages over boxes.",
+                  "boxes of 0.2 units, half a cell of the coarsest octave", "dB", 0, INFINITY,
+                  bl_ratio_db(point, fade), "batches of boxes");
+    bl_make_claim(run, "bandlimit",
+                  "A faded sum through a map of colours loses what the map makes of the octaves; "
+                  "an averaged map keeps it: the squared error of fade over that of map.",
+                  "boxes of 0.2 units", "dB", 0, INFINITY, bl_ratio_db(fade, map),
+                  "batches of boxes");
+    bl_make_claim(run, "peachey2003, Alternative Antialiasing Methods",
+                  "Far away a texture fades to its average colour: the luminance of the faded sum "
+                  "minus the mean.",
+                  "filter=fade at 100 units", "of the mean", -0.02, 0.02,
+                  bl_exactly(bl_signal_filtered(marble[2], at, far) / mean - 1, 1), "place");
     bl_make_claim(run, "bandlimit", "The same with an averaged map.", "filter=map at 100 units",
                   "of the mean", -0.02, 0.02,
                   bl_exactly(bl_signal_filtered(marble[3], at, far) / mean - 1, 1), "place");
@@ -85,20 +83,19 @@ static void run_figure(bl_run *run) {
         shown[i] = (bl_shown){.key = keys[i],
                               .title = titles[i],
                               .signal = marble[i ? i - 1 : 0],
-                              .at = {0, 0, 0.4},
-                              .scale = 2,
                               .pixels = i ? 32 : 0,
-                              .filtered = i > 1,
-                              .samples = i ? 1 : 2};
+                              .filtered = i > 1};
     const bl_pictures pictures = {
         .name = "marbles",
-        .title = "What is left of marble at few pixels?",
         .alternative =
-            "Marble in blue veins; at 32 by 32 pixels points sparkle, clamped sums are "
-            "smooth and lose the dark veins, and an averaged map keeps their shade.",
+            "Marble in blue veins; at 32 by 32 pixels points sparkle, clamped sums are smooth and "
+            "lose the dark veins, and an averaged map keeps their shade.",
         .shown = shown,
         .count = 5,
         .columns = 3,
+        .at = {0, 0, 0.4},
+        .scale = 2,
+        .samples = 2,
         .pixels = 32 * (unsigned)bl_run_pick(run, 5, 9, 32),
         .unit = "pictures of 2 units"};
     bl_pictures_draw(run, &pictures);

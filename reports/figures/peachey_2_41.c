@@ -69,44 +69,31 @@ static double lookup_error(const bl_signal *picture, const bl_signal *source, un
 static void run_figure(bl_run *run) {
     unsigned pixels = (unsigned)bl_run_pick(run, 128, 256, 1024);
     bl_signal *source = bl_run_signal(run, "checkerboard:size=1/8");
-    const bl_shown first[] = {
-        {.key = "original", .title = "original", .signal = source, .at = {0.5, 0.5}, .scale = 1}};
+    const bl_shown first = {.key = "original", .title = "original", .signal = source};
     bl_pictures pictures = {.name = "original-alone",
                             .title = "The picture",
                             .alternative = "A checkerboard of 8 by 8 squares.",
-                            .shown = first,
+                            .shown = &first,
                             .count = 1,
                             .columns = 2,
+                            .at = {0.5, 0.5},
+                            .scale = 1,
                             .pixels = pixels,
                             .unit = "units"};
     bl_pictures_draw(run, &pictures);
     const bl_signal *plain = open_picture(run, "0"), *moved = open_picture(run, "0.2");
-    bl_signal *noise = bl_run_signal(run, "gnoise");
+    const bl_signal *noise = bl_run_signal(run, "gnoise");
     // The picture spans t upwards and panels run downwards: the perturbed one is shown from below.
-    const bl_shown both[] = {{.key = "lookup",
-                              .title = "original, looked up",
-                              .signal = plain,
-                              .text = "image:path=original.exr,amount=0",
-                              .at = {0.5, 0.5, 0.4},
-                              .scale = 1,
-                              .samples = 3},
-                             {.key = "perturbed",
-                              .title = "perturbed",
-                              .signal = moved,
-                              .text = "image:path=original.exr",
-                              .at = {0.5, 0.5, 0.4},
-                              .scale = 1,
-                              .samples = 3}};
-    pictures = (bl_pictures){.name = "perturbed-pictures",
-                             .title = "What does a noise do to the coordinates of a picture?",
-                             .alternative =
-                                 "A checkerboard, and the same with its lines bent into "
-                                 "soft waves.",
-                             .shown = both,
-                             .count = 2,
-                             .columns = 2,
-                             .pixels = pixels,
-                             .unit = "units"};
+    const bl_shown both[] = {
+        {"lookup", "original, looked up", plain, .text = "image:path=original.exr,amount=0"},
+        {"perturbed", "perturbed", moved, .text = "image:path=original.exr"}};
+    pictures.name = "perturbed-pictures";
+    pictures.title = NULL; // the question
+    pictures.alternative = "A checkerboard, and the same with its lines bent into soft waves.";
+    pictures.shown = both;
+    pictures.count = 2;
+    pictures.at[2] = 0.4;
+    pictures.samples = 3;
     bl_pictures_draw(run, &pictures);
     double deviation = 0.2 * sqrt(noise->facts.variance);
     bl_make_claim(run, "peachey2003, Perturbed Image Textures",
@@ -115,8 +102,8 @@ static void run_figure(bl_run *run) {
                   "gnoise", "units", 0.98 * deviation, 1.02 * deviation, shift_of(run, noise),
                   "batches of places");
     bl_make_claim(run, "bandlimit",
-                  "A lookup without perturbation gives back the picture: the largest difference "
-                  "at the middles of texels.",
+                  "A lookup without perturbation gives back the picture: the largest difference at "
+                  "the middles of texels.",
                   "linear colour", "", 0, 2e-5,
                   bl_observed(lookup_error(plain, source, pixels), pixels * pixels / 15.0),
                   "texels");

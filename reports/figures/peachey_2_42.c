@@ -48,19 +48,19 @@ static void run_figure(bl_run *run) {
             (bl_shown){.key = bl_run_text(run, "%s%s", keys[i % 3], i < 3 ? "" : "-near"),
                        .title = bl_run_text(run, "%s%s", titles[i % 3], i < 3 ? "" : ", near by"),
                        .signal = paper[i % 3],
-                       .at = {i < 3 ? 0.5 : where[0], i < 3 ? 0.5 : where[1]},
-                       .scale = i < 3 ? 1 : 0.12,
-                       .samples = 2};
+                       .at = {where[0], where[1]},
+                       .scale = i < 3 ? 0 : 0.12};
     const bl_pictures pictures = {
         .name = "wallpapers",
-        .title = "Which listing cuts its stars?",
         .alternative =
-            "Orange stars strewn over blue paper; near by, parts of a star that end at "
-            "a straight line in the printed form, and a star cut in half in that of one "
-            "cell.",
+            "Orange stars strewn over blue paper; near by, parts of a star that end at a straight "
+            "line in the printed form, and a star cut in half in that of one cell.",
         .shown = shown,
         .count = 6,
         .columns = 3,
+        .at = {0.5, 0.5},
+        .scale = 1,
+        .samples = 2,
         .pixels = (unsigned)bl_run_pick(run, 128, 320, 1024),
         .unit = "pictures of 1 and 0.12 units"};
     bl_pictures_draw(run, &pictures);
@@ -78,6 +78,6 @@ BL_FIGURE_DESCRIPTOR(peachey_2_42) = {
     .paper = "peachey2003, fig. 2.42",
     .shows =
         "Stars at random places: with the presence of each visited cell; as printed, where the "
-        "column of the centre cell decides; and by the first listing, where each cell has its "
-        "star and sees no other. Below, a place where the printed listing is wrong.",
+        "column of the centre cell decides; and by the first listing, where each cell has its star "
+        "and sees no other. Below, a place where the printed listing is wrong.",
     .run = run_figure};

@@ -25,10 +25,9 @@ static void run_figure(bl_run *run) {
         {"step:edge=1,width=0.5", "averaged over 1/2", BL_INK_THEORY, BL_STROKE_THIN},
         {"step:edge=1,width=1", "averaged over 1", BL_INK_SECOND, BL_STROKE_DASHED}};
     static const bl_curves plot = {
-        .title = "What does a step look like, and its average?",
         .alternative =
-            "A jump from 0 to 1 at x = 1, and two ramps through (1, 1/2) that are as "
-            "long as the widths that the step is averaged over.",
+            "A jump from 0 to 1 at x = 1, and two ramps through (1, 1/2) that are as long as the "
+            "widths that the step is averaged over.",
         .curves = curves,
         .count = 3,
         .x = {"x", 0, 2, 0.5, 0},
@@ -46,12 +45,11 @@ static void run_figure(bl_run *run) {
                     bl_curves_largest(average_less_samples, &gallery, 0, 2));
 }
 
-BL_FIGURE_DESCRIPTOR(peachey_2_8) = {
-    .name = "peachey-2.8",
-    .title = "The step function",
-    .question = "What does a step look like, and its average?",
-    .paper = "peachey2003, fig. 2.8",
-    .shows =
-        "The step at 1, and the same averaged over widths of 1/2 and 1: the ramps that "
-        "replace it where it would alias.",
-    .run = run_figure};
+BL_FIGURE_DESCRIPTOR(peachey_2_8) = {.name = "peachey-2.8",
+                                     .title = "The step function",
+                                     .question = "What does a step look like, and its average?",
+                                     .paper = "peachey2003, fig. 2.8",
+                                     .shows =
+                                         "The step at 1, and the same averaged over widths of 1/2 "
+                                         "and 1: the ramps that replace it where it would alias.",
+                                     .run = run_figure};

@@ -31,11 +31,10 @@ static void run_figure(bl_run *run) {
         {"step:edge=0.5", "step at 1/2", BL_INK_FOURTH, BL_STROKE_DASHED},
         {"step:edge=1.5", "step at 3/2", BL_INK_FIFTH, BL_STROKE_DASHED}};
     static const bl_curves plot = {
-        .title = "How do two steps make a pulse?",
         .alternative =
-            "A pulse that is 1 from 1/2 to 3/2, the two steps whose difference it is, "
-            "and two averages of it: a trapezium as high as the pulse for the width "
-            "1/2, and one half as high for the width 2.",
+            "A pulse that is 1 from 1/2 to 3/2, the two steps whose difference it is, and two "
+            "averages of it: a trapezium as high as the pulse for the width 1/2, and one half as "
+            "high for the width 2.",
         .curves = curves,
         .count = 5,
         .x = {"x", -0.5, 2.5, 0.5, 0},
@@ -56,6 +55,6 @@ BL_FIGURE_DESCRIPTOR(peachey_2_9) = {
     .question = "How do two steps make a pulse?",
     .paper = "peachey2003, fig. 2.9",
     .shows =
-        "A pulse, the two steps that it is the difference of, and its averages over a width "
-        "that is narrower than it, and over one that is wider.",
+        "A pulse, the two steps that it is the difference of, and its averages over a width that "
+        "is narrower than it, and over one that is wider.",
     .run = run_figure};

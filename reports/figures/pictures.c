@@ -17,8 +17,7 @@ static int place_of(const bl_shown *shown, int upwards, double x, double y, doub
 }
 
 static void draw_pixel(const bl_shown *shown, const bl_signal *signal, int upwards, unsigned pixels,
-                       size_t i, size_t j, float out[3]) {
-    unsigned samples = shown->filtered || !shown->samples ? 1 : shown->samples;
+                       unsigned samples, size_t i, size_t j, float out[3]) {
     double wide = shown->filtered ? shown->scale / pixels : bl_signal_own_width(signal);
     const double width[BL_AXES] = {wide, wide, wide, wide};
     double sum[3] = {0};
@@ -35,15 +34,17 @@ static void draw_pixel(const bl_shown *shown, const bl_signal *signal, int upwar
 }
 
 // All panels of a plot have the same numbers of pixels: coarse ones are drawn as squares.
-static void draw_one(bl_run *run, const bl_shown *shown, unsigned full, int upwards) {
+static void draw_one(bl_run *run, const bl_pictures *set, const bl_shown *shown) {
     const bl_signal *signal = shown->signal ? shown->signal : bl_run_signal(run, shown->text);
-    unsigned pixels = shown->pixels ? shown->pixels : full, times = full / pixels;
+    const unsigned full = set->pixels, pixels = shown->pixels ? shown->pixels : full;
+    const unsigned times = full / pixels;
+    const unsigned samples = shown->filtered || shown->pixels || !set->samples ? 1 : set->samples;
     float *values = bl_run_memory(run, (size_t)full * full * 3, sizeof *values);
 #pragma omp parallel for num_threads(bl_thread_count(bl_run_settings(run)->threads))               \
     schedule(dynamic, 4)
     for (size_t j = 0; j < full; j++)
         for (size_t i = 0; i < full; i++)
-            draw_pixel(shown, signal, upwards, pixels, i / times, j / times,
+            draw_pixel(shown, signal, set->upwards, pixels, samples, i / times, j / times,
                        values + 3 * (full * j + i));
     const bl_attribute attribute = {"bandlimit:signal", shown->text ? shown->text : signal->text};
     const bl_image image = {.width = full,
@@ -81,10 +82,14 @@ static void plot_all(bl_run *run, const bl_pictures *pictures) {
 void bl_pictures_draw(bl_run *run, const bl_pictures *pictures) {
     bl_run_step(run, "pictures");
     for (size_t i = 0; i < pictures->count; i++) {
-        const bl_shown *shown = &pictures->shown[i];
-        bl_run_setting(run, bl_run_text(run, "picture %s", shown->key),
-                       shown->text ? shown->text : shown->signal->text);
-        draw_one(run, shown, pictures->pixels, pictures->upwards);
+        bl_shown shown = pictures->shown[i];
+        if (!(shown.scale > 0)) {
+            memcpy(shown.at, pictures->at, sizeof shown.at);
+            shown.scale = pictures->scale;
+        }
+        bl_run_setting(run, bl_run_text(run, "picture %s", shown.key),
+                       shown.text ? shown.text : shown.signal->text);
+        draw_one(run, pictures, &shown);
     }
     plot_all(run, pictures);
 }

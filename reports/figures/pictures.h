@@ -10,16 +10,13 @@
 // text's pictures, unless `see` says what stands at (x, y) in [-1, 1] (y upwards): it fills the
 // place, or gives 0 for the background, which is white.
 typedef struct bl_shown {
-    const char *key;         // of the file: letters, digits and '-'
-    const char *title;       // of the panel
-    const char *text;        // of the signal; of one that is given, what the settings call it
-    const bl_signal *signal; // NULL: opened from the text
-    double at[BL_AXES];
-    double scale;     // units across
-    unsigned pixels;  // across; 0: those of the set. Fewer of them show what a filter does
-    int filtered;     // the signal filters itself for the pixel's width; else it is averaged over
-                      // `samples` x `samples` places in it
-    unsigned samples; // 0: one, in the middle
+    const char *key;           // of the file: letters, digits and '-'
+    const char *title;         // of the panel
+    const bl_signal *signal;   // NULL: opened from the text
+    const char *text;          // of the signal; of one that is given, what the settings call it
+    unsigned pixels;           // across; 0: those of the set. Fewer of them show what a filter does
+    int filtered;              // the signal filters itself for the pixel's width
+    double at[BL_AXES], scale; // of its own; scale 0: those of the set
     int (*see)(double x, double y, double at[BL_AXES]);
 } bl_shown;
 
@@ -28,7 +25,10 @@ typedef struct bl_pictures {
     const char *title, *alternative;
     const bl_shown *shown;
     size_t count, columns;
+    double at[BL_AXES], scale; // units across
     unsigned pixels;
+    unsigned samples; // what neither filters itself nor is coarse is averaged over `samples` x
+                      // `samples` places in each pixel, all else is seen at its middle; 0: one
     int upwards;      // t runs upwards, as in views and in `render`
     const char *unit; // of the axes, which run from 0 to 1 picture
 } bl_pictures;

@@ -121,26 +121,22 @@ static void draw(bl_run *run, const errors *e) {
                                 0};
     }
     bl_run_csv(run, "errors",
-               "largest error of the average of a pulse train, in dB of 1, and "
-               "the law of it",
+               "largest error of the average of a pulse train, in dB of 1, and the law of it",
                columns, 6, EXPONENTS);
     const bl_panel panels[] = {{"averages over 1/4 to 8 periods", series, 5, NULL}};
     const bl_limit limits[] = {{0, -48.13, "1/255"}};
     const bl_plot plot = {
-        .title = "How many digits has the average of a pulse train far from the origin?",
         .x = {.label = "log2 of the distance, periods", .to = LAST, .tick = 5},
         .y = {.label = "largest error, dB of 1", .from = -340, .to = 20, .tick = 40},
         .panels = panels,
         .panel_count = 1,
-        .columns = 1,
         .aspect = 0.5,
         .limits = limits,
         .limit_count = 1};
     bl_run_plot(run, "errors", &plot,
-                "Largest error in decibels over the distance from the origin in "
-                "powers of two. The difference of integrals rises by 6 dB for each "
-                "doubling, along its law, in float from about -120 dB at the origin; "
-                "the average by phases stays at about -300 dB.");
+                "Largest error in decibels over the distance from the origin in powers of two. The "
+                "difference of integrals rises by 6 dB for each doubling, along its law, in float "
+                "from about -120 dB at the origin; the average by phases stays at about -300 dB.");
 }
 
 // --- claims -------------------------------------------------------------------------------------

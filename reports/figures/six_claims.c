@@ -11,7 +11,6 @@
 
 #include "reports/figures/six_spectra.h"
 
-static const double unlimited = INFINITY;
 static const double significant = 0.01, most = 0.5, similar_db = 3;
 static const char share_unit[] = "of the variance";
 
@@ -41,11 +40,11 @@ static void claim_share(bl_run *run, const bl_six_spectra *spectra, int noise, d
 
 static void claim_value_and_gradient(bl_run *run, const bl_six_spectra *spectra) {
     static const char high[] =
-        "Gradient noise has more energy above 0.7 than value noise: its "
-        "share minus that of vnoise.";
+        "Gradient noise has more energy above 0.7 than value noise: its share minus that of "
+        "vnoise.";
     static const char low[] =
-        "Gradient noise has less energy below 0.3 than value noise: its "
-        "share minus that of vnoise.";
+        "Gradient noise has less energy below 0.3 than value noise: its share minus that of "
+        "vnoise.";
     claim_share(run, spectra, BL_VNOISE, 1, INFINITY, 0, significant, value_section,
                 "Value noise has no significant energy (no more than 1 %) above frequency 1.");
     claim_share(run, spectra, BL_GNOISE, 0.3, 0.7, most, 1, gradient_section,
@@ -94,15 +93,15 @@ static bl_estimate fullest_octave(const bl_psd *psd) {
 static void claim_hermite(bl_run *run, const bl_six_spectra *spectra) {
     for (int r = 0; r < BL_READINGS; r++)
         claim(run, hermite_section,
-              "The spectrum of Ward's Hermite noise rises from DC to about 0.2: the density "
-              "at 0.15-0.25 over that at 0-0.05.",
-              reading_of(run, BL_HERMITE, r), "dB", 0, unlimited,
+              "The spectrum of Ward's Hermite noise rises from DC to about 0.2: the density at "
+              "0.15-0.25 over that at 0-0.05.",
+              reading_of(run, BL_HERMITE, r), "dB", 0, INFINITY,
               slope_db(spectra->psd[r][BL_HERMITE], 0, 0.05, 0.15, 0.25));
     for (int r = 0; r < BL_READINGS; r++)
         claim(run, hermite_section,
               "Beyond 0.2 the spectrum of Hermite noise falls: the density at 0.45-0.55 over that "
               "at 0.15-0.25.",
-              reading_of(run, BL_HERMITE, r), "dB", -unlimited, 0,
+              reading_of(run, BL_HERMITE, r), "dB", -INFINITY, 0,
               slope_db(spectra->psd[r][BL_HERMITE], 0.15, 0.25, 0.45, 0.55));
     claim_share(
         run, spectra, BL_HERMITE, 1, INFINITY, 0, significant, hermite_section,
@@ -113,10 +112,9 @@ static void claim_hermite(bl_run *run, const bl_six_spectra *spectra) {
             "The power of Hermite noise is spread widely: the fullest octave holds less than half.",
             reading_of(run, BL_HERMITE, r), share_unit, 0, most,
             fullest_octave(spectra->psd[r][BL_HERMITE]));
-    claim_share(
-        run, spectra, BL_HERMITE, 0, 0.5, most, 1, hermite_section,
-        "The dominant frequencies of Hermite noise are low: over half of its energy lies below "
-        "0.5.");
+    claim_share(run, spectra, BL_HERMITE, 0, 0.5, most, 1, hermite_section,
+                "The dominant frequencies of Hermite noise are low: over half of its energy lies "
+                "below 0.5.");
 }
 
 // --- the convolution noises ---------------------------------------------------------------------
@@ -180,8 +178,8 @@ static void claim_our_own(bl_run *run, const bl_six_spectra *spectra) {
             double limit = bl_student_quantile(1 - error_budget / (2 * tests),
                                                (double)psd->settings.averages - 1);
             claim(run, "bandlimit",
-                  "The measured spectrum agrees with the closed form: the largest deviation "
-                  "of its share in eight bands.",
+                  "The measured spectrum agrees with the closed form: the largest deviation of its "
+                  "share in eight bands.",
                   reading_of(run, i, r), "standard errors", 0, limit, largest_deviation(psd));
         }
     double residual = 0;

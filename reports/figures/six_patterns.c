@@ -14,7 +14,6 @@
 #include "reports/figures/lattice_contrast.h"
 #include "spectra/psd.h"
 
-static const double unlimited = INFINITY;
 static const char text_gridless[] = "peachey2003, Sparse Convolution Noise";
 static const char pairs[] = "pairs of sets of cells";
 
@@ -51,7 +50,7 @@ static void claim_contrasts(bl_run *run, const contrasts *c) {
         bl_make_claim(run, "peachey2003, Value-Gradient Noise",
                       "Value-gradient noise looks less regular than gradient noise: its lattice "
                       "contrast minus that of gnoise.",
-                      bl_run_text(run, "vgnoise, %s", slice_words[p]), "", -unlimited, 0,
+                      bl_run_text(run, "vgnoise, %s", slice_words[p]), "", -INFINITY, 0,
                       contrast_difference(c, p, BL_VGNOISE, BL_GNOISE), pairs);
     for (int p = 0; p < 2; p++)
         for (int i = 0; i < BL_SCNOISE; i++)
@@ -59,13 +58,13 @@ static void claim_contrasts(bl_run *run, const contrasts *c) {
                           "Sparse convolution noise shows fewer gridlike patterns than the others: "
                           "the other's lattice contrast minus that of scnoise.",
                           bl_run_text(run, "against %s, %s", bl_six_names[i], slice_words[p]), "",
-                          0, unlimited, contrast_difference(c, p, i, BL_SCNOISE), pairs);
+                          0, INFINITY, contrast_difference(c, p, i, BL_SCNOISE), pairs);
     for (int p = 0; p < 2; p++)
-        bl_make_claim(run, "bandlimit",
-                      "Impulses at uniform places make scnoise stationary: its lattice contrast "
-                      "is 0.",
-                      bl_run_text(run, "scnoise, %s", slice_words[p]), "", -c->limit, c->limit,
-                      bl_mean_estimate(c->values[p][BL_SCNOISE], c->repeats, 0.95), pairs);
+        bl_make_claim(
+            run, "bandlimit",
+            "Impulses at uniform places make scnoise stationary: its lattice contrast is 0.",
+            bl_run_text(run, "scnoise, %s", slice_words[p]), "", -c->limit, c->limit,
+            bl_mean_estimate(c->values[p][BL_SCNOISE], c->repeats, 0.95), pairs);
 }
 
 static void claim_contrast(bl_run *run, const bl_gallery *six, double between[BL_SIX],
@@ -135,7 +134,7 @@ static void claim_anisotropy(bl_run *run, const bl_gallery *six, double *mean) {
                       "Sparse convolution noise prefers fewer directions than the others: the "
                       "other's ring anisotropy minus that of scnoise.",
                       bl_run_text(run, "against %s, slice at random places", bl_six_names[i]), "dB",
-                      0, unlimited, bl_mean_estimate(difference, ANISOTROPY_REPEATS, 0.95),
+                      0, INFINITY, bl_mean_estimate(difference, ANISOTROPY_REPEATS, 0.95),
                       "spectra");
     }
 }

@@ -36,14 +36,14 @@ static bl_psd_settings settings_of(const bl_run *run, bl_reading reading) {
 
 static void note_settings(bl_run *run, bl_reading reading, const bl_psd_settings *s) {
     static const char *const shapes[] = {"", "", "^2", "^3"};
-    bl_run_setting(run, bl_run_text(run, "spectrum %s", bl_reading_words[reading]),
-                   bl_run_text(run,
-                               "%zu averages of %zu%s samples, %g a cell, %s window; a fresh place "
-                               "and a fresh seed for each; %g %% bands; a line in the "
-                               "spectrum spreads over +-%.3g cycles per cell",
-                               s->averages, s->size, shapes[s->dims], s->rate,
-                               bl_window_name(s->window), 100 * s->level,
-                               bl_window_half_lobe(s->window) * s->rate / (double)s->size));
+    bl_run_setting(
+        run, bl_run_text(run, "spectrum %s", bl_reading_words[reading]),
+        bl_run_text(
+            run,
+            "%zu averages of %zu%s samples, %g a cell, %s window; a fresh place and a fresh seed "
+            "for each; %g %% bands; a line in the spectrum spreads over +-%.3g cycles per cell",
+            s->averages, s->size, shapes[s->dims], s->rate, bl_window_name(s->window),
+            100 * s->level, bl_window_half_lobe(s->window) * s->rate / (double)s->size));
 }
 
 bl_six_spectra bl_six_spectra_measure(bl_run *run, const bl_gallery *six) {

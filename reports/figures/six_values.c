@@ -14,7 +14,6 @@
 
 enum { LATTICE_SPAN = 100000 }; // lattice points are drawn from a cube of this size
 
-static const double unlimited = INFINITY;
 static const char points[] = "lattice points", cells[] = "cells", planes[] = "crossings";
 
 // --- at the lattice points ----------------------------------------------------------------------
@@ -48,9 +47,9 @@ static void claim_at_points(bl_run *run, int noise, double largest, bl_estimate 
     // 0.05 is a tenth of the mean size of vnoise: far from the zeros that are to go away.
     if (noise == BL_VGNOISE)
         bl_make_claim(run, "peachey2003, Value-Gradient Noise",
-                      "Adding value noise to gradient noise takes its regular zeros away: the "
-                      "mean size at lattice points.",
-                      reading, "", 0.05, unlimited, mean, points);
+                      "Adding value noise to gradient noise takes its regular zeros away: the mean "
+                      "size at lattice points.",
+                      reading, "", 0.05, INFINITY, mean, points);
     if (noise == BL_VNOISE)
         bl_make_claim(run, "bandlimit",
                       "Value noise is not zero at the lattice points but takes their random "
@@ -172,7 +171,7 @@ static void claim_turns(bl_run *run, const bl_signal *gnoise, size_t count) {
         bl_make_claim(run, "peachey2003, Gradient Noise", sentence,
                       bl_run_text(run, "gnoise, along a %s, observed over %zu cells",
                                   on_edge ? "lattice edge" : "line at a random place", count),
-                      "a cell", 1, unlimited, bl_observed(fewest, (double)count), cells);
+                      "a cell", 1, INFINITY, bl_observed(fewest, (double)count), cells);
     }
 }
 
@@ -189,12 +188,12 @@ static void claim_range(bl_run *run, size_t samples) {
     for (int i = 1; i < 3; i++) {
         bl_estimate ratio = bl_ratio_db(h[i]->variance, h[0]->variance);
         const char *sentence =
-            "B-splines approximate the lattice numbers and so have a narrower "
-            "range than the Catmull-Rom spline.";
+            "B-splines approximate the lattice numbers and so have a narrower range than the "
+            "Catmull-Rom spline.";
         bl_make_claim(
             run, "peachey2003, Value Noise", sentence,
             bl_run_text(run, "%s, variance against Catmull-Rom, at random places", kernels[i]),
-            "dB", -unlimited, 0, ratio, "batches");
+            "dB", -INFINITY, 0, ratio, "batches");
         bl_make_claim(run, "peachey2003, Value Noise", sentence,
                       bl_run_text(run, "%s, observed range over that of Catmull-Rom", kernels[i]),
                       "", 0, 1,

@@ -111,14 +111,13 @@ static void draw(bl_run *run, const measured *m) {
         }
     }
     bl_run_csv(run, "errors",
-               "rms error, in dB of 1, of means read off summed-area tables of white noise "
-               "between 0 and 1",
+               "rms error, in dB of 1, of means read off summed-area tables of white noise between "
+               "0 and 1",
                columns, used, m->sizes);
     const bl_panel panels[] = {{"means over single pixels", series[0], KINDS + 1, NULL},
                                {"means over 16 by 16 pixels", series[1], KINDS + 1, NULL}};
     const bl_limit limits[] = {{0, -48.13, "1/255"}};
     const bl_plot plot = {
-        .title = "How large is the error of a summed-area table of floats?",
         .x = {.label = "side of the image, pixels", .from = 24, .to = 2800, .logarithmic = 1},
         .y = {.label = "rms error, dB of 1", .from = -200, .to = 0, .tick = 40},
         .panels = panels,
@@ -128,10 +127,9 @@ static void draw(bl_run *run, const measured *m) {
         .limits = limits,
         .limit_count = 1};
     bl_run_plot(run, "errors", &plot,
-                "Error in decibels over the side of the image. Tables of floats rise by "
-                "12 dB for each doubling of the side, on the line of the law, those "
-                "with the mean taken off by 6; for single pixels of an image of 1024 "
-                "the error passes 1/255.");
+                "Error in decibels over the side of the image. Tables of floats rise by 12 dB for "
+                "each doubling of the side, on the line of the law, those with the mean taken off "
+                "by 6; for single pixels of an image of 1024 the error passes 1/255.");
 }
 
 // --- claims -------------------------------------------------------------------------------------
@@ -168,8 +166,8 @@ static void claim_laws(bl_run *run, const measured *m) {
         bl_run_text(run, "%g by %g pixels", m->side[m->sizes - 1], m->side[m->sizes - 1]);
     bl_make_claim(
         run, "peachey2003, Integrals and Summed-Area Tables",
-        "The table might need numbers of a higher precision than the image: the error of "
-        "single pixels in a table of floats, as steps of an image of 8 bits.",
+        "The table might need numbers of a higher precision than the image: the error of single "
+        "pixels in a table of floats, as steps of an image of 8 bits.",
         bl_run_text(run, "%s, white noise", largest), "of 1/255", 0.05, INFINITY,
         bl_exactly(255 * bl_mean_estimate(m->error[0][ROUNDED][m->sizes - 1], m->seeds, 0.95).value,
                    (double)m->seeds),
@@ -219,6 +217,5 @@ BL_FIGURE_DESCRIPTOR(summed_area_error) = {
         "The root mean square error of means read off summed-area tables, against the side of the "
         "image: of floats that are rounded once, of floats that are added up in float, of floats "
         "of an image whose mean was taken off first. Broken: the law for the first. Doubles hold "
-        "the "
-        "sums of these images to the last bit.",
+        "the sums of these images to the last bit.",
     .run = run_figure};

@@ -154,14 +154,14 @@ static void draw_turned(bl_run *run, double ratio[2][ESTIMATORS][ANGLES]) {
         .limits = limits,
         .limit_count = 1};
     bl_run_csv(run, "turned",
-               "estimated width over the extent of the pixel along the axis, "
-               "and over the width of the box with the pixel's own variance",
+               "estimated width over the extent of the pixel along the axis, and over the width of "
+               "the box with the pixel's own variance",
                columns, 1 + 2 * ESTIMATORS, ANGLES);
-    bl_run_plot(run, "turned", &plot,
-                "Ratios against the angle. The sum covers the extent at every angle "
-                "and is up to 1.41 times as wide as blurs like the pixel; the larger "
-                "derivative falls to half the extent at 45 degrees; the length of the "
-                "gradient blurs like the pixel at every angle.");
+    bl_run_plot(
+        run, "turned", &plot,
+        "Ratios against the angle. The sum covers the extent at every angle and is up to 1.41 "
+        "times as wide as blurs like the pixel; the larger derivative falls to half the extent at "
+        "45 degrees; the length of the gradient blurs like the pixel at every angle.");
 }
 
 // --- views in perspective -----------------------------------------------------------------------
