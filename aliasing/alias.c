@@ -382,3 +382,10 @@ void bl_alias_free(bl_alias_result *result) {
     bl_reference_free(&result->reference);
     *result = (bl_alias_result){0};
 }
+
+int bl_alias_is_converged(const bl_alias_result *result) {
+    double least = INFINITY;
+    for (size_t i = 0; i < result->count; i++)
+        least = fmin(least, result->rows[i].mse.value);
+    return result->reference_error <= 0.1 * sqrt(least) + 0x1p-16;
+}

@@ -80,4 +80,7 @@ bl_status bl_alias_measure(const bl_signal *signal, const bl_view *view, const c
                            bl_message *message);
 void bl_alias_free(bl_alias_result *result);
 
+// Whether the reference is good to a tenth of the smallest error that was measured with it.
+int bl_alias_is_converged(const bl_alias_result *result);
+
 #endif

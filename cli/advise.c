@@ -54,51 +54,78 @@ static size_t choose_methods(const bl_call *call, const bl_signal *signal, const
 
 // --- JSON ---------------------------------------------------------------------------------------
 
-static json_t *row_json(const bl_advice *advice, size_t row) {
-    json_t *object = json_object();
-    const bl_alias_row *measured = &advice->alias.rows[row];
-    bl_json_set_text(object, "filter", measured->method);
-    bl_json_set_estimate(object, "error", &advice->error[row]);
-    bl_json_set_number(object, "max_error", measured->max_error);
-    bl_json_set_estimate(object, "alias", &measured->alias);
-    bl_json_set_estimate(object, "blur", &measured->blur);
-    bl_json_set_number(object, "ns_per_sample", measured->ns_per_sample);
-    bl_json_set_number(object, "ns_per_sample_lower", measured->ns_lowest);
-    bl_json_set_number(object, "ns_per_sample_upper", measured->ns_highest);
-    bl_json_set_number(object, "samples_per_pixel", measured->samples);
-    bl_json_set_count(object, "worst_x_pixel", advice->worst[row].x);
-    bl_json_set_count(object, "worst_y_pixel", advice->worst[row].y);
-    bl_json_set_number(object, "worst_error", advice->worst[row].error);
-    bl_json_set_number(object, "worst_width", advice->worst[row].width);
-    return object;
+// What stands beside the rows of the measurement.
+static void find_error(const bl_table *table, size_t row, bl_cell *cell) {
+    const bl_estimate *error = &((const bl_advice *)table->context)->error[row];
+    cell->value = error->value;
+    cell->lower = error->lower;
+    cell->upper = error->upper;
+}
+
+// clang-format off
+#define AT(member) .offset = offsetof(bl_alias_row, member)
+static const bl_field row_fields[] = {
+    {"filter", NULL, BL_CELL_WORD, AT(method)},
+    {"error", NULL, BL_CELL_ESTIMATE, .find = find_error},
+    {"max_error", NULL, BL_CELL_REAL, AT(max_error)},
+    {"alias", NULL, BL_CELL_ESTIMATE, AT(alias)},
+    {"blur", NULL, BL_CELL_ESTIMATE, AT(blur)},
+    {"ns_per_sample", NULL, BL_CELL_ESTIMATE, AT(ns_per_sample)},
+    {"samples_per_pixel", NULL, BL_CELL_REAL, AT(samples)},
+    {0}};
+#undef AT
+
+#define AT(member) .offset = offsetof(bl_worst_pixel, member)
+static const bl_field worst_fields[] = {
+    {"worst_x_pixel", NULL, BL_CELL_COUNT, AT(x)},
+    {"worst_y_pixel", NULL, BL_CELL_COUNT, AT(y)},
+    {"worst_error", NULL, BL_CELL_REAL, AT(error)},
+    {"worst_width", NULL, BL_CELL_REAL, AT(width)},
+    {0}};
+#undef AT
+
+static int has_octaves(const void *row) {
+    return ((const bl_scene_needs *)row)->octaves > 0;
+}
+
+#define AT(member) .offset = offsetof(bl_scene_needs, member)
+static const bl_field needs_fields[] = {
+    {"least_width", NULL, BL_CELL_REAL, AT(least_width)},
+    {"most_width", NULL, BL_CELL_REAL, AT(most_width)},
+    {"highest_frequency", NULL, BL_CELL_REAL, AT(highest_frequency)},
+    {"octaves", NULL, BL_CELL_UNSIGNED, AT(octaves), .when = has_octaves, .absent = 1},
+    {"octaves_seen", NULL, BL_CELL_UNSIGNED, AT(octaves_seen), .when = has_octaves, .absent = 1},
+    {0}};
+#undef AT
+// clang-format on
+
+static json_t *rows_json(const bl_advice *advice) {
+    const bl_alias_result *alias = &advice->alias;
+    const bl_table worst = BL_TABLE(worst_fields, advice->worst, alias->count);
+    bl_table rows = BL_TABLE(row_fields, alias->rows, alias->count);
+    rows.context = advice;
+    json_t *list = bl_table_json(&rows);
+    for (size_t i = 0; i < alias->count; i++)
+        bl_record_json(json_array_get(list, i), &worst, i);
+    return list;
 }
 
 static json_t *needs_json(const bl_scene_needs *needs, unsigned dimensions) {
     json_t *object = json_object(), *unused = json_array();
-    bl_json_set_number(object, "least_width", needs->least_width);
-    bl_json_set_number(object, "most_width", needs->most_width);
-    bl_json_set_number(object, "highest_frequency", needs->highest_frequency);
+    bl_record_json(object, &BL_RECORD(needs_fields, needs), 0);
     for (unsigned a = 0; a < dimensions; a++)
         if (!needs->varies[a])
             json_array_append_new(unused, json_stringn(&axes[a], 1));
     json_object_set_new(object, "dimensions_not_used", unused);
-    if (needs->octaves) {
-        bl_json_set_count(object, "octaves", needs->octaves);
-        bl_json_set_count(object, "octaves_seen", needs->octaves_seen);
-    }
     return object;
 }
 
 static void set_row(json_t *object, const char *key, const bl_advice *advice, size_t row) {
-    if (row == SIZE_MAX)
-        json_object_set_new(object, key, json_null());
-    else
-        bl_json_set_text(object, key, advice->alias.rows[row].method);
+    bl_json_set_text(object, key, row == SIZE_MAX ? NULL : advice->alias.rows[row].method);
 }
 
 static void fill_json(json_t *object, const bl_signal *signal, const bl_view *view,
                       const bl_advise_settings *settings, const bl_advice *advice) {
-    json_t *rows = json_array();
     bl_json_set_text(object, "signal", signal->text);
     bl_json_set_text(object, "view", view->text);
     bl_json_set_count(object, "width_pixels", view->width);
@@ -112,9 +139,7 @@ static void fill_json(json_t *object, const bl_signal *signal, const bl_view *vi
             advice->verdict == BL_VERDICT_PASS ? advice->chosen : SIZE_MAX);
     set_row(object, "best", advice, advice->chosen);
     set_row(object, "next_cheaper", advice, advice->cheaper);
-    for (size_t i = 0; i < advice->alias.count; i++)
-        json_array_append_new(rows, row_json(advice, i));
-    json_object_set_new(object, "rows", rows);
+    json_object_set_new(object, "rows", rows_json(advice));
     json_object_set_new(object, "needs", needs_json(&advice->needs, signal->dimensions));
 }
 

@@ -78,66 +78,42 @@ static bl_alias_settings settings_of(const bl_call *call) {
 
 // --- reports ------------------------------------------------------------------------------------
 
-static json_t *row_json(const bl_alias_row *row) {
-    json_t *object = json_object();
-    bl_json_set_text(object, "filter", row->method);
-    bl_json_set_estimate(object, "alias", &row->alias);
-    bl_json_set_estimate(object, "blur", &row->blur);
-    bl_json_set_estimate(object, "mse", &row->mse);
-    bl_json_set_number(object, "psnr_db", row->psnr_db);
-    bl_json_set_estimate(object, "ssim", &row->ssim);
-    bl_json_set_number(object, "max_error", row->max_error);
-    bl_json_set_estimate(object, "flicker", &row->flicker);
-    bl_json_set_number(object, "pops", row->pops);
-    bl_json_set_number(object, "ns_per_sample", row->ns_per_sample);
-    bl_json_set_number(object, "ns_per_sample_lower", row->ns_lowest);
-    bl_json_set_number(object, "ns_per_sample_upper", row->ns_highest);
-    bl_json_set_number(object, "samples_per_pixel", row->samples);
-    bl_json_set_number(object, "first_alias_cycles_per_pixel", row->first_alias);
-    bl_json_set_number(object, "predicted_alias", row->predicted_alias);
-    bl_json_set_number(object, "predicted_blur", row->predicted_blur);
-    bl_json_set_numbers(object, "error_spectrum", row->rings, BL_ALIAS_RINGS);
-    return object;
-}
+#define AT(type, member) .offset = offsetof(type, member)
+static const bl_field view_fields[] = {{"view", NULL, BL_CELL_WORD, AT(bl_view, text)},
+                                       {"width_pixels", NULL, BL_CELL_COUNT, AT(bl_view, width)},
+                                       {"height_pixels", NULL, BL_CELL_COUNT, AT(bl_view, height)},
+                                       {0}};
 
-static void fill_json(json_t *object, const bl_call *call, const bl_signal *signal,
-                      const bl_view *view, const bl_alias_settings *settings,
-                      const bl_alias_result *result) {
-    json_t *rows = json_array();
+static const bl_field setting_fields[] = {
+    {"seed", NULL, BL_CELL_COUNT, AT(bl_alias_settings, seed)},
+    {"level", NULL, BL_CELL_REAL, AT(bl_alias_settings, level)},
+    {"replicates", NULL, BL_CELL_UNSIGNED, AT(bl_alias_settings, replicates)},
+    {0}};
+
+static const bl_field result_fields[] = {
+    {"seen", NULL, BL_CELL_REAL, AT(bl_alias_result, seen)},
+    {"reference_rms_error", NULL, BL_CELL_REAL, AT(bl_alias_result, reference_error)},
+    {"reference_samples_per_pixel", NULL, BL_CELL_REAL, AT(bl_alias_result, reference.samples)},
+    {"reference_exact", NULL, BL_CELL_FLAG, AT(bl_alias_result, reference.exact)},
+    {"reference_from_cache", NULL, BL_CELL_FLAG, AT(bl_alias_result, reference.from_cache)},
+    {"error_spectrum_ring_cycles_per_pixel", NULL, BL_CELL_REAL, AT(bl_alias_result, ring_width)},
+    {0}};
+#undef AT
+
+static void fill_json(json_t *object, const bl_signal *signal, const bl_view *view,
+                      const bl_alias_settings *settings, const bl_alias_result *result) {
+    const bl_table rows = bl_alias_table(result);
     bl_json_set_text(object, "signal", signal->text);
-    bl_json_set_text(object, "view", view->text);
-    bl_json_set_count(object, "width_pixels", view->width);
-    bl_json_set_count(object, "height_pixels", view->height);
+    bl_record_json(object, &BL_RECORD(view_fields, view), 0);
     bl_json_set_text(object, "pixel", bl_pixel_words[settings->pixel]);
-    bl_json_set_count(object, "seed", call->common.seed);
-    bl_json_set_number(object, "level", settings->level);
-    bl_json_set_count(object, "replicates", settings->replicates);
-    bl_json_set_number(object, "seen", result->seen);
-    bl_json_set_number(object, "reference_rms_error", result->reference_error);
-    bl_json_set_number(object, "reference_samples_per_pixel", result->reference.samples);
-    json_object_set_new(object, "reference_exact", json_boolean(result->reference.exact));
-    json_object_set_new(object, "reference_from_cache", json_boolean(result->reference.from_cache));
-    bl_json_set_number(object, "error_spectrum_ring_cycles_per_pixel", result->ring_width);
-    for (size_t i = 0; i < result->count; i++)
-        json_array_append_new(rows, row_json(&result->rows[i]));
-    json_object_set_new(object, "rows", rows);
-}
-
-// Whether the reference is good to a tenth of the smallest error that was measured with it.
-static int is_converged(const bl_alias_result *result) {
-    double least = INFINITY;
-    for (size_t i = 0; i < result->count; i++)
-        least = fmin(least, result->rows[i].mse.value);
-    return result->reference_error <= 0.1 * sqrt(least) + 0x1p-16;
+    bl_record_json(object, &BL_RECORD(setting_fields, settings), 0);
+    bl_record_json(object, &BL_RECORD(result_fields, result), 0);
+    json_object_set_new(object, "rows", bl_table_json(&rows));
 }
 
 static void print_table(FILE *out, const bl_signal *signal, const bl_view *view,
                         const bl_alias_settings *settings, const bl_alias_result *result) {
-    int width = 6;
-    for (size_t i = 0; i < result->count; i++) {
-        int letters = (int)strlen(result->rows[i].method);
-        width = letters > width ? letters : width;
-    }
+    const bl_table rows = bl_alias_table(result);
     bl_plain_text(out, signal->text);
     fputs(" under ", out);
     bl_plain_text(out, view->text);
@@ -146,21 +122,14 @@ static void print_table(FILE *out, const bl_signal *signal, const bl_view *view,
     fprintf(out, "reference: %s%.4g samples a pixel, rms error below %.2g%s\n\n",
             result->reference.exact ? "exact, " : "", result->reference.samples,
             result->reference_error,
-            is_converged(result) ? ""
-                                 : "\n(more than a tenth of the smallest error below: see "
-                                   "the interval of mse, or take --full)");
-    fprintf(out,
-            "%-*s  alias      blur       mse        psnr_db  ssim    max_error  flicker    "
-            "ns_per_sample\n",
-            width, "method");
-    for (size_t i = 0; i < result->count; i++) {
-        const bl_alias_row *row = &result->rows[i];
-        fprintf(out, "%-*s  %-9.3g  %-9.3g  %-9.3g  %-7.4g  %-6.4f  %-9.3g  %-9.3g  %.4g\n", width,
-                row->method, row->alias.value, row->blur.value, row->mse.value, row->psnr_db,
-                row->ssim.value, row->max_error, row->flicker.value, row->ns_per_sample);
-    }
-    fputs("\nalias, blur, mse and flicker are squares of the luminance; --json has the intervals\n",
-          out);
+            bl_alias_is_converged(result) ? ""
+                                          : "\n(more than a tenth of the smallest error below: see "
+                                            "the interval of mse, or take --full)");
+    bl_table_print(&rows, out);
+    fputs(
+        "\nalias, blur, mse and flicker are squares of the luminance; ns is ns_per_sample, of a "
+        "pixel;\n--json has the intervals\n",
+        out);
 }
 
 static bl_status measure(bl_call *call, const bl_signal *signal, const bl_view *view) {
@@ -181,7 +150,7 @@ static bl_status measure(bl_call *call, const bl_signal *signal, const bl_view *
         status = bl_alias_files_write(call, signal, view, &result);
     json_t *object = status == BL_OK ? bl_json_start(call) : NULL;
     if (object)
-        fill_json(object, call, signal, view, &settings, &result);
+        fill_json(object, signal, view, &settings, &result);
     else if (status == BL_OK && !call->common.quiet)
         print_table(call->out, signal, view, &settings, &result);
     bl_alias_free(&result);

@@ -76,32 +76,35 @@ static void file_name(const char *method, const char *more, char *name, size_t s
             *name = '-';
 }
 
-static void write_estimate(FILE *out, const bl_estimate *estimate) {
-    bl_csv_number(out, estimate->value), fputc(',', out);
-    bl_csv_number(out, estimate->lower), fputc(',', out);
-    bl_csv_number(out, estimate->upper), fputc(',', out);
-}
+// clang-format off
+#define AT(member) .offset = offsetof(bl_alias_row, member)
+static const bl_field fields[] = {
+    {"filter", "method", BL_CELL_WORD, AT(method)},
+    {"alias", "alias", BL_CELL_ESTIMATE, AT(alias), .digits = 3},
+    {"blur", "blur", BL_CELL_ESTIMATE, AT(blur), .digits = 3},
+    {"mse", "mse", BL_CELL_ESTIMATE, AT(mse), .digits = 3},
+    {"psnr_db", "psnr db", BL_CELL_REAL, AT(psnr_db)},
+    {"ssim", "ssim", BL_CELL_ESTIMATE, AT(ssim), .decimals = 4},
+    {"max_error", "largest", BL_CELL_REAL, AT(max_error), .digits = 3},
+    {"flicker", "flicker", BL_CELL_ESTIMATE, AT(flicker), .digits = 3},
+    {"pops", NULL, BL_CELL_REAL, AT(pops)},
+    {"ns_per_sample", "ns", BL_CELL_ESTIMATE, AT(ns_per_sample)},
+    {"samples_per_pixel", NULL, BL_CELL_REAL, AT(samples)},
+    {"first_alias_cycles_per_pixel", NULL, BL_CELL_REAL, AT(first_alias), .forms = BL_IN_JSON},
+    {"predicted_alias", NULL, BL_CELL_REAL, AT(predicted_alias)},
+    {"predicted_blur", NULL, BL_CELL_REAL, AT(predicted_blur)},
+    {"error_spectrum", NULL, BL_CELL_LIST, AT(rings), .length = BL_ALIAS_RINGS},
+    {0}};
+#undef AT
+// clang-format on
 
-static void write_row(FILE *out, const bl_alias_row *row) {
-    bl_csv_word(out, row->method), fputc(',', out);
-    write_estimate(out, &row->alias);
-    write_estimate(out, &row->blur);
-    write_estimate(out, &row->mse);
-    bl_csv_number(out, row->psnr_db), fputc(',', out);
-    write_estimate(out, &row->ssim);
-    bl_csv_number(out, row->max_error), fputc(',', out);
-    write_estimate(out, &row->flicker);
-    bl_csv_number(out, row->pops), fputc(',', out);
-    bl_csv_number(out, row->ns_per_sample), fputc(',', out);
-    bl_csv_number(out, row->ns_lowest), fputc(',', out);
-    bl_csv_number(out, row->ns_highest), fputc(',', out);
-    bl_csv_number(out, row->samples), fputc(',', out);
-    bl_csv_number(out, row->predicted_alias), fputc(',', out);
-    bl_csv_number(out, row->predicted_blur), fputc('\n', out);
+bl_table bl_alias_table(const bl_alias_result *result) {
+    return BL_TABLE(fields, result->rows, result->count);
 }
 
 static bl_status write_table(const picture_files *files, const bl_alias_result *result) {
     bl_file file;
+    const bl_table table = bl_alias_table(result);
     bl_status status =
         bl_output_create(files->call->path, "alias", "csv", &file, &files->call->message);
     if (status != BL_OK)
@@ -111,14 +114,7 @@ static bl_status write_table(const picture_files *files, const bl_alias_result *
     bl_csv_comment(file.stream, "view", files->view->text);
     fprintf(file.stream, "# size: %zux%zu\n", files->view->width, files->view->height);
     fprintf(file.stream, "# reference rms error: %.3g\n", result->reference_error);
-    fputs(
-        "filter,alias,alias_lower,alias_upper,blur,blur_lower,blur_upper,mse,mse_lower,mse_upper,"
-        "psnr_db,ssim,ssim_lower,ssim_upper,max_error,flicker,flicker_lower,flicker_upper,pops,"
-        "ns_per_sample,ns_per_sample_lower,ns_per_sample_upper,samples_per_pixel,"
-        "predicted_alias,predicted_blur\n",
-        file.stream);
-    for (size_t i = 0; i < result->count; i++)
-        write_row(file.stream, &result->rows[i]);
+    bl_table_csv(&table, file.stream);
     return bl_file_commit(&file, &files->call->message);
 }
 

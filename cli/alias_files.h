@@ -6,10 +6,13 @@
 
 #include "aliasing/alias.h"
 #include "cli/verb.h"
+#include "core/table.h"
 
 // Makes the folder call->path and writes alias.csv, reference.exr and .png, and of each method
 // METHOD.exr, .png and METHOD-error.exr, .png (signed, of the luminance). Errors: BL_DEVICE.
 bl_status bl_alias_files_write(bl_call *call, const bl_signal *signal, const bl_view *view,
                                const bl_alias_result *result);
+// A row a method; valid as long as the result is.
+bl_table bl_alias_table(const bl_alias_result *result);
 
 #endif

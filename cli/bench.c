@@ -82,10 +82,7 @@ static const bl_field fields[] = {
 // clang-format on
 
 static bl_table rows_of(const bl_bench *bench) {
-    return (bl_table){.fields = fields,
-                      .rows = bench->rows,
-                      .count = bench->count,
-                      .stride = sizeof *bench->rows};
+    return BL_TABLE(fields, bench->rows, bench->count);
 }
 
 typedef struct bench_head {

@@ -13,7 +13,8 @@
 //         {"error", "error", BL_CELL_ESTIMATE, AT(error), .digits = 3, .limits = ""},
 //         {"ns_per_sample", "ns", BL_CELL_REAL, AT(ns), .digits = 4},
 //         {0}};
-//     const bl_table table = {fields, ways, 2, sizeof *ways, .level = 0.95};
+//     bl_table table = BL_TABLE(fields, ways, 2);
+//     table.level = 0.95;
 //
 // bl_table_print, columns as wide as their words, numbers at the right:
 //        way    error  95 % interval       ns
@@ -97,10 +98,13 @@ struct bl_table {
     const void *context; // for the functions of the fields
 };
 
-// A record of one struct.
-#define BL_RECORD(its_fields, its_struct)                                                          \
-    ((bl_table){                                                                                   \
-        .fields = its_fields, .rows = its_struct, .count = 1, .stride = sizeof *(its_struct)})
+// A table of an array of structs, and a record of one struct.
+#define BL_TABLE(its_fields, its_rows, its_count)                                                  \
+    ((bl_table){.fields = (its_fields),                                                            \
+                .rows = (its_rows),                                                                \
+                .count = (its_count),                                                              \
+                .stride = sizeof *(its_rows)})
+#define BL_RECORD(its_fields, its_struct) BL_TABLE(its_fields, its_struct, 1)
 
 // --- the writers --------------------------------------------------------------------------------
 

@@ -92,11 +92,9 @@ static const bl_field fields[] = {
 #undef AT
 
 bl_table bl_trade_table(const bl_alternatives *alternatives) {
-    return (bl_table){.fields = fields,
-                      .rows = alternatives->list,
-                      .count = alternatives->count,
-                      .stride = sizeof *alternatives->list,
-                      .level = 0.95};
+    bl_table table = BL_TABLE(fields, alternatives->list, alternatives->count);
+    table.level = 0.95;
+    return table;
 }
 
 static bl_status write_table(const bl_trade *trade, const char *subject, const char *folder,
