@@ -11,6 +11,7 @@
 #define BL_ALIASING_METHOD_H
 
 #include "aliasing/view.h"
+#include "core/registry.h"
 #include "core/definition.h"
 #include "filters/sample_width.h"
 
@@ -24,8 +25,7 @@ typedef struct bl_scene {
 } bl_scene;
 
 typedef struct bl_method_kind {
-    const char *name, *title, *summary;
-    const char *paper; // key and place
+    BL_ENTRY(title, summary);
     const bl_parameter *parameters;
     size_t parameters_size;
     // The colour of the sample of one pixel's width centred at (x, y), in pixels. A method uses
@@ -40,9 +40,7 @@ typedef struct bl_method_kind {
     double (*response)(const void *parameters, double fx, double fy);
 } bl_method_kind;
 
-size_t bl_method_count(void);
-const bl_method_kind *bl_method_at(size_t index);       // NULL past the end
-const bl_method_kind *bl_method_find(const char *name); // NULL for an unknown name
+BL_REGISTRY(bl_method_kind, bl_method, bl_methods)
 
 typedef struct bl_method {
     const bl_method_kind *kind;

@@ -11,6 +11,7 @@
 
 #include <stddef.h>
 
+#include "core/registry.h"
 #include "core/grammar.h"
 #include "core/signal.h"
 
@@ -24,9 +25,7 @@ typedef struct bl_sight {
 } bl_sight;
 
 typedef struct bl_view_kind {
-    const char *name; // "plane"
-    const char *title;
-    const char *summary; // one sentence
+    BL_ENTRY(title, summary);
     const char *formula; // from pixels to texture coordinates
     const bl_parameter *parameters;
     size_t parameters_size;
@@ -39,9 +38,7 @@ typedef struct bl_view_kind {
     int affine;
 } bl_view_kind;
 
-size_t bl_view_count(void);
-const bl_view_kind *bl_view_at(size_t index);       // NULL past the end
-const bl_view_kind *bl_view_find(const char *name); // NULL for an unknown name
+BL_REGISTRY(bl_view_kind, bl_view, bl_views)
 
 typedef struct bl_view {
     const bl_view_kind *kind;

@@ -10,6 +10,7 @@
 #include "cli/json.h"
 #include "core/plain.h"
 #include "reports/figure.h"
+#include "reports/reproduce.h"
 
 static void show_progress(void *user, size_t done, size_t total, const char *figure,
                           const char *step) {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "cli/option.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli/words.h"
 #include "core/grammar.h"
+#include "core/registry.h"
 
 int bl_words_add(bl_words *words, const char *word) {
     const char **more = realloc(words->words, (words->count + 1) * sizeof *more);
@@ -59,18 +60,16 @@ static bl_status read_real(const bl_option *option, const char *word, double *ou
 
 static bl_status read_choice(const bl_option *option, const char *word, const char **out,
                              bl_message *message) {
-    char list[256] = "";
-    for (size_t i = 0; option->choices[i]; i++) {
+    for (size_t i = 0; option->choices[i]; i++)
         if (strcmp(option->choices[i], word) == 0) {
             *out = option->choices[i];
             return BL_OK;
         }
-        strncat(list, i ? ", " : "", sizeof list - strlen(list) - 1);
-        strncat(list, option->choices[i], sizeof list - strlen(list) - 1);
-    }
-    const char *near = bl_suggest(word, option->choices);
-    return bl_report(message, BL_USAGE, "--%s %s: not one of %s%s%s%s", option->name, word, list,
-                     near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+    char key[64];
+    snprintf(key, sizeof key, "--%s", option->name);
+    const bl_unknown unknown = {
+        .what = "value", .word = word, .key = key, .words = option->choices};
+    return bl_report_unknown(&unknown, message);
 }
 
 static bl_status set_option(const bl_option *option, void *block, const char *word,
@@ -140,21 +139,24 @@ static const bl_option *find(const bl_option_table *tables, const char *name, si
 
 static bl_status report_unknown(const bl_option_table *tables, const char *word,
                                 bl_message *message) {
-    const char *names[128];
+    enum { OPTIONS_MOST = 64 };
+    char dashed[OPTIONS_MOST][32], name[64];
+    const char *words[OPTIONS_MOST + 1] = {NULL};
     size_t count = 0;
     for (; tables->options; tables++)
-        for (const bl_option *option = tables->options; option->name && count < 126; option++) {
-            names[count++] = option->name;
-            if (option->also)
-                names[count++] = option->also;
-        }
-    names[count] = NULL;
-    const char *bare = word + strspn(word, "-");
-    char name[64] = "";
-    strncat(name, bare, strcspn(bare, "=") < 63 ? strcspn(bare, "=") : 63);
-    const char *near = bl_suggest(name, names);
-    return bl_report(message, BL_USAGE, "unknown option '%s'%s%s%s--help lists all", word,
-                     near ? "; did you mean '--" : "", near ? near : "", near ? "'? " : "; ");
+        for (const bl_option *option = tables->options; option->name; option++)
+            for (int also = 0; also < 2 && count < OPTIONS_MOST; also++) {
+                const char *one = also ? option->also : option->name;
+                if (!one)
+                    continue;
+                snprintf(dashed[count], sizeof dashed[count], "--%s", one);
+                words[count] = dashed[count];
+                count++;
+            }
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
+    const bl_unknown unknown = {
+        .what = "option", .word = name, .words = words, .all = "--help lists all"};
+    return bl_report_unknown(&unknown, message);
 }
 
 // Reads one option, and its value from the same word or from the next.

@@ -23,13 +23,9 @@ typedef struct score_settings {
 // --- which properties ---
 
 static bl_status report_unknown(bl_call *call, const char *option, const char *word) {
-    const char *names[BL_SCORE_PROPERTIES + 1] = {NULL};
-    for (size_t i = 0; i < bl_property_count(); i++)
-        names[i] = bl_property_at(i)->name;
-    const char *near = bl_suggest(word, names);
-    return bl_report(&call->message, BL_USAGE, "--%s: unknown property '%s'%s%s%s%s", option, word,
-                     near ? "; did you mean '" : "; `bandlimit help score` lists them",
-                     near ? near : "", near ? "'" : "", near ? "?" : "");
+    char where[32];
+    snprintf(where, sizeof where, " of --%s", option);
+    return bl_registry_report(&bl_properties, word, where, &call->message);
 }
 
 // Reads "range,band" into bits.

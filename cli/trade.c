@@ -51,7 +51,7 @@ static bl_status open_subject(bl_call *call, trade_subject *subject) {
     if (status != BL_USAGE)
         return status;
     bl_message own = call->message;
-    const char *near = bl_suggest(text, words);
+    const char *near = bl_nearest(text, words);
     return bl_report(&call->message, BL_USAGE,
                      "%.600s%s%s%s; a subject is a noise, a primitive, a texture, or the word %s, "
                      "for the trades %s",
@@ -75,15 +75,8 @@ static bl_status choose(bl_call *call, const trade_subject *subject, const bl_tr
     if (*count)
         return BL_OK;
     const bl_trade *asked = options->trade ? bl_trade_find(options->trade) : NULL;
-    if (options->trade && !asked) {
-        const char *names[TRADES_MOST + 1] = {NULL};
-        for (size_t i = 0; i < bl_trade_count() && i < TRADES_MOST; i++)
-            names[i] = bl_trade_at(i)->name;
-        const char *near = bl_suggest(options->trade, names);
-        return bl_report(&call->message, BL_USAGE, "--trade %s: no such trade%s%s%s; there are %s",
-                         options->trade, near ? "; did you mean '" : "", near ? near : "",
-                         near ? "'?" : "", names_of(trades, sizeof trades));
-    }
+    if (options->trade && !asked)
+        return bl_registry_report(&bl_trades, options->trade, " of --trade", &call->message);
     if (asked)
         return bl_report(&call->message, BL_MISMATCH,
                          "'%.200s' has no choice that '%s' trades (%s); without --trade all that "

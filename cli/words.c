@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/grammar.h"
+#include "core/registry.h"
 
 double bl_signal_far(const bl_signal *signal) {
     // From 2^52 on a double has no fraction, whatever the signal does with it.

@@ -5,8 +5,8 @@
 #include <string.h>
 
 // Makes the signal of a block that was read.
-static bl_status make_signal(const bl_definition *definition, const void *block, bl_signal **signal,
-                             bl_message *message) {
+static bl_status make_signal(const bl_definition *definition, const void *block, bl_opener *open,
+                             bl_signal **signal, bl_message *message) {
     char *canonical = bl_parameters_text(definition->name, definition->parameters, block);
     bl_signal *made = canonical ? bl_signal_new(&definition->functions, block,
                                                 definition->parameters_size, canonical)
@@ -14,6 +14,7 @@ static bl_status make_signal(const bl_definition *definition, const void *block,
     free(canonical);
     if (!made)
         return bl_report(message, BL_DEVICE, "out of memory opening '%s'", definition->name);
+    made->open = open;
     bl_status status = bl_signal_build(made, message);
     if (status != BL_OK)
         return status;
@@ -33,7 +34,7 @@ static bl_status make_signal(const bl_definition *definition, const void *block,
 }
 
 bl_status bl_definition_open(const bl_definition *definition, const bl_spec *spec, const char *text,
-                             bl_signal **signal, bl_message *message) {
+                             bl_opener *open, bl_signal **signal, bl_message *message) {
     void *block = calloc(1, definition->parameters_size);
     if (!block)
         return bl_report(message, BL_DEVICE, "out of memory opening '%s'", text);
@@ -41,7 +42,7 @@ bl_status bl_definition_open(const bl_definition *definition, const bl_spec *spe
     if (status == BL_OK && definition->validate)
         status = definition->validate(block, message);
     if (status == BL_OK)
-        status = make_signal(definition, block, signal, message);
+        status = make_signal(definition, block, open, signal, message);
     if (status == BL_USAGE)
         bl_parameters_place(definition->parameters, spec, text, block, message);
     free(block);
@@ -79,7 +80,7 @@ bl_status bl_signal_with_choice(const bl_signal *signal, const char *key, const 
     memcpy((char *)block + parameter->offset, &index, sizeof index);
     bl_status status = definition->validate ? definition->validate(block, message) : BL_OK;
     if (status == BL_OK)
-        status = make_signal(definition, block, copy, message);
+        status = make_signal(definition, block, signal->open, copy, message);
     free(block);
     return status;
 }

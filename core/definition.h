@@ -6,6 +6,7 @@
 #define BL_CORE_DEFINITION_H
 
 #include "core/grammar.h"
+#include "core/registry.h"
 #include "core/signal.h"
 
 // A picture that shows a definition well, for those who ask for one without a place of their own.
@@ -16,11 +17,8 @@ typedef struct bl_picture {
 } bl_picture;
 
 typedef struct bl_definition {
-    const char *name;    // in the registry and the grammar: "gnoise"
-    const char *title;   // "gradient noise"
-    const char *summary; // one sentence
+    BL_ENTRY(title, summary);
     const char *formula; // in plain text
-    const char *paper;   // key and page or section: "peachey2003, p. 75"
     unsigned dimensions; // 1 to 4, with the default settings
     // At most one of the kind BL_SEED, which is the seed of the signal.
     const bl_parameter *parameters;
@@ -46,10 +44,10 @@ typedef struct bl_definition {
 } bl_definition;
 
 // Opens a signal of this definition with the settings of the spec; `text` is the whole text, for
-// messages. The caller frees the signal with bl_signal_free; on failure it is left alone. Errors:
+// messages, and `open` (NULL for a signal that is made of no other) becomes bl_signal.open. The caller frees the signal with bl_signal_free; on failure it is left alone. Errors:
 // BL_USAGE for a key or a value, BL_DEVICE out of memory. Thread-safe.
 bl_status bl_definition_open(const bl_definition *definition, const bl_spec *spec, const char *text,
-                             bl_signal **signal, bl_message *message);
+                             bl_opener *open, bl_signal **signal, bl_message *message);
 
 // The words of a choice among the keys of a signal, ended by NULL; NULL for a signal without a
 // definition, or without such a key. The words live as long as the program.

@@ -52,48 +52,6 @@ int bl_read_count(const char *word, unsigned long long *out) {
     return 1;
 }
 
-static size_t smallest(size_t a, size_t b, size_t c) {
-    size_t least = a < b ? a : b;
-    return least < c ? least : c;
-}
-
-enum { LONGEST_WORD = 63 };
-
-// Levenshtein's distance, one row at a time.
-static size_t edit_distance(const char *a, const char *b) {
-    size_t rows[LONGEST_WORD + 1], length = strlen(b);
-    for (size_t j = 0; j <= length; j++)
-        rows[j] = j;
-    for (size_t i = 1; a[i - 1]; i++) {
-        size_t diagonal = rows[0];
-        rows[0] = i;
-        for (size_t j = 1; j <= length; j++) {
-            int differs = tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]);
-            size_t change = diagonal + (size_t)differs;
-            diagonal = rows[j];
-            rows[j] = smallest(rows[j] + 1, rows[j - 1] + 1, change);
-        }
-    }
-    return rows[length];
-}
-
-const char *bl_nearest(const char *word, const char *const *candidates) {
-    const char *best = NULL;
-    size_t length = strlen(word), least = SIZE_MAX;
-    if (length > LONGEST_WORD)
-        return NULL;
-    for (; *candidates; candidates++) {
-        if (strlen(*candidates) > LONGEST_WORD)
-            continue;
-        size_t distance = edit_distance(word, *candidates);
-        if (distance < least && distance <= (length + 1) / 2) {
-            least = distance;
-            best = *candidates;
-        }
-    }
-    return best;
-}
-
 void bl_spec_free(bl_spec *spec) {
     for (size_t i = 0; i < spec->count; i++) {
         free(spec->settings[i].key);

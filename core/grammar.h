@@ -73,11 +73,6 @@ void bl_parameters_place(const bl_parameter *parameters, const bl_spec *spec, co
 // the list. The caller frees it; NULL if out of memory.
 char *bl_parameters_text(const char *name, const bl_parameter *parameters, const void *block);
 
-// The candidate nearest to a word by edit distance, whatever the case of the letters, or NULL if
-// none is near (more than half of the word's letters would have to change). `candidates` ends with
-// NULL.
-const char *bl_nearest(const char *word, const char *const *candidates);
-
 // Reads a whole word as a number: false on trailing letters, on nothing, and out of range.
 // bl_read_real takes 1/16 as a fraction, and neither NaN nor infinity.
 int bl_read_unsigned(const char *word, unsigned long long *out);

@@ -2,6 +2,7 @@
 //
 // Parameter blocks: filled from text by a list of parameters, and written back as text.
 #include "core/grammar.h"
+#include "core/registry.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -61,17 +62,14 @@ static bl_status read_real(const bl_parameter *parameter, const char *value, pla
 
 static bl_status report_choice(const bl_parameter *parameter, const char *value, place at,
                                bl_message *message) {
-    char expected[512] = "one of";
-    for (size_t i = 0; parameter->choices[i]; i++) {
-        size_t used = strlen(expected);
-        snprintf(expected + used, sizeof expected - used, " %s", parameter->choices[i]);
-    }
-    const char *near = bl_nearest(value, parameter->choices);
-    if (near) {
-        size_t used = strlen(expected);
-        snprintf(expected + used, sizeof expected - used, "; did you mean '%s'?", near);
-    }
-    return report_value(parameter, value, at, expected, message);
+    char where[sizeof message->text];
+    snprintf(where, sizeof where, " at column %zu of '%s'", at.column, at.text);
+    const bl_unknown unknown = {.what = "value",
+                                .word = value,
+                                .key = parameter->key,
+                                .where = where,
+                                .words = parameter->choices};
+    return bl_report_unknown(&unknown, message);
 }
 
 // A choice written "table:N" matches "table:" followed by a whole number.
@@ -196,16 +194,12 @@ static bl_status read_value(const bl_parameter *parameter, const char *value, pl
 static bl_status report_key(const bl_parameter *parameters, const bl_setting *setting,
                             const char *text, bl_message *message) {
     const char *keys[MOST_PARAMETERS + 1] = {NULL};
-    char all[512] = "";
-    for (size_t i = 0; parameters[i].key && i < MOST_PARAMETERS; i++) {
+    char where[sizeof message->text];
+    for (size_t i = 0; parameters[i].key && i < MOST_PARAMETERS; i++)
         keys[i] = parameters[i].key;
-        size_t used = strlen(all);
-        snprintf(all + used, sizeof all - used, "%s%s", i ? " " : "", keys[i]);
-    }
-    const char *near = bl_nearest(setting->key, keys);
-    return bl_report(message, BL_USAGE, "unknown key '%s' at column %zu of '%s'%s%s%s keys: %s",
-                     setting->key, setting->key_column, text, near ? "; did you mean '" : "",
-                     near ? near : "", near ? "'? All" : ";", all);
+    snprintf(where, sizeof where, " at column %zu of '%s'", setting->key_column, text);
+    const bl_unknown unknown = {.what = "key", .word = setting->key, .where = where, .words = keys};
+    return bl_report_unknown(&unknown, message);
 }
 
 // The setting that the letter at `letter` of a nested signal's text came from, and where in the

@@ -29,13 +29,13 @@ static char *changed_text(const bl_spec *spec, const char *key, const char *valu
     return text;
 }
 
-static bl_status open_text(const bl_definition *definition, const char *text, bl_signal **signal,
-                           bl_message *message) {
+static bl_status open_text(const bl_definition *definition, const char *text, bl_opener *open,
+                           bl_signal **signal, bl_message *message) {
     bl_spec spec;
     bl_status status = bl_spec_parse(text, &spec, message);
     if (status != BL_OK)
         return status;
-    status = bl_definition_open(definition, &spec, text, signal, message);
+    status = bl_definition_open(definition, &spec, text, open, signal, message);
     bl_spec_free(&spec);
     return status;
 }
@@ -55,7 +55,7 @@ bl_status bl_signal_with_setting(const bl_signal *signal, const char *key, const
     bl_spec_free(&spec);
     if (!text)
         return bl_report(message, BL_DEVICE, "out of memory opening '%s'", signal->text);
-    status = open_text(signal->definition, text, changed, message);
+    status = open_text(signal->definition, text, signal->open, changed, message);
     free(text);
     return status;
 }

@@ -54,7 +54,7 @@ static void discard(bl_signal *signal) {
 bl_status bl_signal_build(bl_signal *signal, bl_message *message) {
     bl_status status = BL_OK;
     if (signal->functions->build)
-        status = signal->functions->build(signal->parameters, message);
+        status = signal->functions->build(signal->parameters, signal->open, message);
     if (status != BL_OK)
         discard(signal);
     return status;
@@ -71,6 +71,7 @@ static bl_signal *copy_with(const bl_signal *signal, const uint64_t *seed) {
         return NULL;
     if (seed)
         memcpy((char *)copy->parameters + signal->seed_offset, seed, sizeof *seed);
+    copy->open = signal->open;
     if (bl_signal_build(copy, NULL) != BL_OK)
         return NULL;
     copy->definition = signal->definition;

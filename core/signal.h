@@ -17,6 +17,10 @@
 
 typedef struct bl_signal bl_signal;
 
+// Opens a signal by its text. One that is made of another of its own kind, as a sum of octaves of any
+// noise, is given the way to open that: its file does not know the list that it stands in.
+typedef bl_status bl_opener(const char *text, bl_signal **signal, bl_message *message);
+
 // The abilities. A function gets the signal's parameter block; the ones marked optional may be
 // NULL.
 typedef struct bl_signal_functions {
@@ -53,10 +57,11 @@ typedef struct bl_signal_functions {
     // Optional: fills rgb[3 i] and the two behind it with the linear red, green and blue that the
     // value is a component of, filtered likewise.
     void (*colour)(const void *parameters, const bl_samples *samples, double *rgb);
-    // Optional: makes what the parameter block refers to (a tile, another signal) from the settings
-    // in it. The library calls it once for a block, on opening and on reseeding; a failed call
+    // Optional: makes what the parameter block refers to (a tile, another signal, which `open`
+    // opens) from the settings in it. The library calls it once for a block, on opening and on
+    // reseeding; a failed call
     // leaves nothing to release.
-    bl_status (*build)(void *parameters, bl_message *message);
+    bl_status (*build)(void *parameters, bl_opener *open, bl_message *message);
     // Optional: releases what `build` made (not the block itself). A signal that has it, and no
     // `build`, cannot be reseeded or copied.
     void (*release)(void *parameters);
@@ -91,6 +96,7 @@ typedef struct bl_extent {
 struct bl_signal {
     const bl_signal_functions *functions;
     const struct bl_definition *definition; // core/definition.h; NULL for a file and the user's own
+    bl_opener *open;                        // what `build` gets; NULL for one that opens nothing
     void *parameters;                       // owned
     size_t parameters_size;
     size_t seed_offset; // of the uint64_t seed in the block, or SIZE_MAX for a signal without one

@@ -15,14 +15,12 @@
 
 #include <stddef.h>
 
+#include "core/registry.h"
 #include "core/piecewise.h"
 
 typedef struct bl_filter {
-    const char *name;    // in the registry and the grammar: "catmull-rom"
-    const char *title;   // "Catmull-Rom kernel"
-    const char *summary; // one sentence
+    BL_ENTRY(title, summary);
     const char *formula; // of the kernel, in plain text
-    const char *paper;   // key and page or section
     double support;      // the kernel is 0 beyond this distance, in widths; INFINITY
     int continuity;      // of the kernel: -1 it jumps, 0 C0, 1 C1, ...; 99: smooth
     double (*kernel)(double t);
@@ -35,9 +33,7 @@ typedef struct bl_filter {
     const bl_piecewise *pieces;
 } bl_filter;
 
-size_t bl_filter_count(void);
-const bl_filter *bl_filter_at(size_t index);       // NULL past the end
-const bl_filter *bl_filter_find(const char *name); // NULL for an unknown name
+BL_REGISTRY(bl_filter, bl_filter, bl_filters)
 
 // The names in the order of the registry, ended by NULL: the words of a key that chooses a filter.
 extern const char *const bl_filter_words[];

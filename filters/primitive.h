@@ -15,14 +15,13 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "core/registry.h"
 #include "core/definition.h"
 #include "filters/filter.h"
 
 typedef bl_definition bl_primitive;
 
-size_t bl_primitive_count(void);
-const bl_primitive *bl_primitive_at(size_t index);       // NULL past the end
-const bl_primitive *bl_primitive_find(const char *name); // NULL for an unknown name
+BL_REGISTRY(bl_primitive, bl_primitive, bl_primitives)
 
 // How a primitive is averaged: a field of its parameter block.
 typedef struct bl_averaging {

@@ -64,7 +64,8 @@ static bl_status validate(const void *block, bl_message *message) {
     return bl_synthesis_check(&((const fourier_parameters *)block)->of, message);
 }
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
+    (void)open;
     fourier_parameters *p = block;
     return bl_synthesis_build(&p->of, &p->tile, message);
 }

@@ -41,11 +41,11 @@ typedef struct fractal_parameters {
     double least, most;
 } fractal_parameters;
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
     fractal_parameters *p = block;
     bl_octaves_plan plan = bl_octaves_plan_between(p->least, p->most);
     const bl_octaves_rules rules = {.fold = BL_FOLD_NONE};
-    return bl_octaves_build(&p->sum, &plan, &rules, BL_THIS_ISA, message);
+    return bl_octaves_build(&p->sum, &plan, &rules, open, message);
 }
 
 static const bl_parameter parameters[] = {BL_OCTAVES_PARAMETERS(fractal_parameters, sum),

@@ -49,14 +49,14 @@ typedef struct fbm_parameters {
     uint32_t octaves, seeds, shift, rotate;
 } fbm_parameters;
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
     fbm_parameters *p = block;
     bl_octaves_plan plan = bl_octaves_plan_count(p->octaves, p->lacunarity, p->gain);
     const bl_octaves_rules rules = {.fold = BL_FOLD_NONE,
                                     .fresh = p->seeds == 0,
                                     .shift = (int)p->shift,
                                     .rotate = (int)p->rotate};
-    return bl_octaves_build(&p->sum, &plan, &rules, BL_THIS_ISA, message);
+    return bl_octaves_build(&p->sum, &plan, &rules, open, message);
 }
 
 static const char *const seedings[] = {"fresh", "same", NULL};

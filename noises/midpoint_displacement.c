@@ -66,7 +66,8 @@ static bl_status validate(const void *block, bl_message *message) {
     return status;
 }
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
+    (void)open;
     midpoint_parameters *p = block;
     return bl_displacement_build(&p->of, &p->scale, &p->tile, message);
 }

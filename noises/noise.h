@@ -24,7 +24,10 @@ bl_isa bl_isa_best(void);            // the highest that runs here
 // this processor lacks.
 bl_status bl_isa_read(const char *word, bl_isa *isa, bl_message *message);
 
-size_t bl_noise_count(void);
+extern const bl_registry bl_noises; // compiled for the baseline
+static inline size_t bl_noise_count(void) {
+    return bl_noises.count;
+}
 // The descriptor of a noise by index or by name, compiled for `isa` (BL_ISA_BEST: the best here);
 // NULL past the end and for an unknown name.
 const bl_noise *bl_noise_at(size_t index, bl_isa isa);
@@ -33,6 +36,9 @@ const bl_noise *bl_noise_find(const char *name, bl_isa isa);
 // Opens a noise by its text. The caller frees the signal with bl_signal_free; on failure it is left
 // alone. Errors: BL_USAGE for an unknown name, key or value, BL_DEVICE out of memory. Thread-safe.
 bl_status bl_noise_open(const char *text, bl_isa isa, bl_signal **signal, bl_message *message);
+
+// The opener of noises for noises that are made of others (bl_signal.open).
+bl_opener *bl_noise_opener(bl_isa isa);
 
 // In a noise file: the functions that nearly every noise has, under their own names.
 #define BL_NOISE_FUNCTIONS .row = row, .points = points, .value = value

@@ -43,12 +43,12 @@ typedef struct ridged_parameters {
     uint32_t octaves;
 } ridged_parameters;
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
     ridged_parameters *p = block;
     bl_octaves_plan plan = bl_octaves_plan_count(p->octaves, p->lacunarity, 1 / p->lacunarity);
     const bl_octaves_rules rules = {
         .fold = BL_FOLD_RIDGE, .ridge_offset = p->offset, .ridge_gain = p->gain};
-    return bl_octaves_build(&p->sum, &plan, &rules, BL_THIS_ISA, message);
+    return bl_octaves_build(&p->sum, &plan, &rules, open, message);
 }
 
 static const char *const lacunarities[] = {"2.17", NULL};

@@ -61,7 +61,8 @@ static bl_status validate(const void *block, bl_message *message) {
     return bl_tile_check(&p->of.tile, bl_displacement_sizes, 8, message);
 }
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
+    (void)open;
     additions_parameters *p = block;
     p->of.all = 1;
     p->of.lacunarity = 2u << p->lacunarity;

@@ -71,13 +71,13 @@ void bl_textbook_draw(bl_textbook *tables, uint64_t seed) {
 }
 
 // The numbers of a noise whose parameter block begins with its tile.
-static void copy_tile(const char *text, float *numbers, size_t count) {
+static void copy_tile(bl_opener *open, const char *text, float *numbers, size_t count) {
     bl_signal *signal;
     bl_message message;
     const bl_tile *tile = NULL;
     for (size_t i = 0; i < count; i++)
         numbers[i] = NAN;
-    if (bl_noise_open(text, BL_ISA_BASELINE, &signal, &message) != BL_OK)
+    if (open(text, &signal, &message) != BL_OK)
         return;
     tile = signal->parameters;
     if (bl_tile_count(tile->size) == count)
@@ -85,7 +85,7 @@ static void copy_tile(const char *text, float *numbers, size_t count) {
     bl_signal_free(signal);
 }
 
-static void fill_tables(void) {
+static void fill_tables(bl_opener *open) {
     const size_t square = BL_TEXTBOOK_TILE * BL_TEXTBOOK_TILE;
     bl_textbook *data = &bl_textbook_data;
     bl_textbook_draw(data, BL_TEXTBOOK_SEED);
@@ -95,15 +95,20 @@ static void fill_tables(void) {
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
             data->inverse[i][j] = (float)wiener.inverse[i][j];
-    copy_tile("fourier:" BL_TEXTBOOK_TILE_SETTINGS, data->fourier, square);
-    copy_tile("midpoint:" BL_TEXTBOOK_TILE_SETTINGS, data->midpoint, square);
-    copy_tile("additions:" BL_TEXTBOOK_TILE_SETTINGS, data->additions, square);
-    copy_tile("wavelet:" BL_TEXTBOOK_TILE_SETTINGS, data->wavelet,
+    copy_tile(open, "fourier:" BL_TEXTBOOK_TILE_SETTINGS, data->fourier, square);
+    copy_tile(open, "midpoint:" BL_TEXTBOOK_TILE_SETTINGS, data->midpoint, square);
+    copy_tile(open, "additions:" BL_TEXTBOOK_TILE_SETTINGS, data->additions, square);
+    copy_tile(open, "wavelet:" BL_TEXTBOOK_TILE_SETTINGS, data->wavelet,
               BL_TEXTBOOK_CUBE * BL_TEXTBOOK_CUBE * BL_TEXTBOOK_CUBE);
 }
 
-const bl_textbook *bl_textbook_tables(void) {
-    static pthread_once_t once = PTHREAD_ONCE_INIT;
-    pthread_once(&once, fill_tables);
+const bl_textbook *bl_textbook_tables(bl_opener *open) {
+    static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+    static int filled;
+    pthread_mutex_lock(&lock);
+    if (!filled)
+        fill_tables(open);
+    filled = 1;
+    pthread_mutex_unlock(&lock);
     return &bl_textbook_data;
 }

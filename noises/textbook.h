@@ -16,13 +16,16 @@
 //   gabor, spot   a generator a cell
 //   white         a hash of the 32 bits of a float
 //
-// bl_textbook_tables() may be called from any thread and returns the same tables; the loops read
+// bl_textbook_tables(bl_noise_opener(BL_ISA_BASELINE)) makes the tiles by opening noises; it may be
+// called from any thread and returns the same tables; the loops read
 // them without looking whether they are there, so it must have been called before. A tile for
 // which there is no memory is NaN.
 #ifndef BL_NOISES_TEXTBOOK_H
 #define BL_NOISES_TEXTBOOK_H
 
 #include <stdint.h>
+
+#include "core/signal.h"
 
 enum { BL_TEXTBOOK_SIZE = 256, BL_TEXTBOOK_TILE = 64, BL_TEXTBOOK_CUBE = 32 };
 
@@ -53,7 +56,7 @@ typedef struct bl_textbook {
 
 extern bl_textbook bl_textbook_data; // filled by bl_textbook_tables
 
-const bl_textbook *bl_textbook_tables(void);
+const bl_textbook *bl_textbook_tables(bl_opener *open);
 
 // Draws the random numbers of a set of tables, but for the tiles, which stay, from another seed.
 void bl_textbook_draw(bl_textbook *tables, uint64_t seed);

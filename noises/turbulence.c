@@ -34,11 +34,11 @@ typedef struct turbulence_parameters {
     uint32_t lost;
 } turbulence_parameters;
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
     turbulence_parameters *p = block;
     bl_octaves_plan plan = bl_octaves_plan_between(p->least, p->most);
     const bl_octaves_rules rules = {.fold = BL_FOLD_SIZE, .lost_to_zero = (int)p->lost};
-    return bl_octaves_build(&p->sum, &plan, &rules, BL_THIS_ISA, message);
+    return bl_octaves_build(&p->sum, &plan, &rules, open, message);
 }
 
 static const char *const losses[] = {"mean", "zero", NULL};

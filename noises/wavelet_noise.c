@@ -63,7 +63,8 @@ static bl_status validate(const void *block, bl_message *message) {
     return bl_tile_check(&p->of.tile, bl_wavelet_sizes, 8, message);
 }
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
+    (void)open;
     wavelet_parameters *p = block;
     return bl_wavelet_build(&p->of, &p->tile, message);
 }

@@ -53,7 +53,8 @@ typedef struct wiener_parameters {
 
 static const char *const covariance_choices[] = {"gaussian", "exponential", "sinc", NULL};
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
+    (void)open;
     wiener_parameters *p = block;
     (void)message;
     p->kernel = bl_wiener_kernel_of((bl_wiener_covariance)p->covariance, p->width);

@@ -12,6 +12,8 @@
 
 #include <stddef.h>
 
+#include "core/registry.h"
+
 struct bl_run;
 
 // A word that a figure uses in a sense of its own.
@@ -20,19 +22,14 @@ typedef struct bl_term {
 } bl_term;
 
 typedef struct bl_figure {
-    const char *name;     // "peachey-2.37"
-    const char *title;    // "Power spectra of six noises"
-    const char *question; // the one question it answers
-    const char *paper;    // key and place: "peachey2003, fig. 2.37"
+    BL_ENTRY(title, question);
     const char *shows;    // a few sentences: what is drawn and how to read it
     const bl_term *terms; // ended by one without a name; NULL: none
     void (*run)(struct bl_run *run);
     int timed; // the data hold times, so that a second run leaves other bytes
 } bl_figure;
 
-size_t bl_figure_count(void);
-const bl_figure *bl_figure_at(size_t index);       // NULL past the end
-const bl_figure *bl_figure_find(const char *name); // NULL for an unknown name
+BL_REGISTRY(bl_figure, bl_figure, bl_figures)
 
 // Names the descriptor of a figure file: BL_FIGURE_DESCRIPTOR(peachey_2_37) = {...};
 #define BL_FIGURE_DESCRIPTOR(stem)                                                                 \

@@ -6,7 +6,7 @@
 
 #include "reports/figure.h"
 #include "reports/plot.h"
-#include "reports/reproduce.h"
+#include "reports/settings.h"
 
 typedef struct bl_run bl_run;
 

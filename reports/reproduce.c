@@ -7,7 +7,6 @@
 #include <time.h>
 
 #include "core/file.h"
-#include "core/grammar.h"
 #include "reports/record.h"
 #include "reports/page.h"
 
@@ -22,44 +21,25 @@ typedef struct runs {
     bl_run *run[];
 } runs;
 
-static size_t figure_count(const bl_reproduce_settings *settings) {
-    return settings->figures ? settings->figure_count : bl_figure_count();
-}
-
-static const bl_figure *figure_at(const bl_reproduce_settings *settings, size_t index) {
-    return settings->figures ? settings->figures[index] : bl_figure_at(index);
-}
-
-static const bl_figure *find_figure(const bl_reproduce_settings *settings, const char *name) {
-    for (size_t i = 0; i < figure_count(settings); i++)
-        if (strcmp(figure_at(settings, i)->name, name) == 0)
-            return figure_at(settings, i);
-    return NULL;
-}
-
-static bl_status report_unknown(const char *name, const bl_reproduce_settings *settings,
-                                bl_message *message) {
-    const char **names = calloc(figure_count(settings) + 1, sizeof *names);
-    if (!names)
-        return bl_report(message, BL_DEVICE, "out of memory");
-    for (size_t i = 0; i < figure_count(settings); i++)
-        names[i] = figure_at(settings, i)->name;
-    const char *near = bl_nearest(name, names);
-    free(names);
-    return bl_report(message, BL_USAGE,
-                     "unknown figure '%s'%s%s%s `bandlimit list figures` shows all", name,
-                     near ? "; did you mean '" : "", near ? near : "", near ? "'?" : ";");
+// The figures that a run may choose from.
+static bl_registry registry_of(const bl_reproduce_settings *settings) {
+    bl_registry registry = bl_figures;
+    if (settings->figures) {
+        registry.list = (const void *const *)settings->figures;
+        registry.count = settings->figure_count;
+    }
+    return registry;
 }
 
 // Every name is looked up before the first figure runs: a typing error must not cost a minute.
-static bl_status check(const char *const *names, size_t count,
+static bl_status check(const bl_registry *figures, const char *const *names, size_t count,
                        const bl_reproduce_settings *settings, bl_message *message) {
     if (strcmp(settings->format, "svg") != 0 && strcmp(settings->format, "pdf") != 0)
         return bl_report(message, BL_USAGE, "unknown format '%s'; use svg or pdf",
                          settings->format);
     for (size_t i = 0; i < count; i++) {
-        if (!find_figure(settings, names[i]))
-            return report_unknown(names[i], settings, message);
+        if (!bl_registry_find(figures, names[i]))
+            return bl_registry_report(figures, names[i], NULL, message);
         for (size_t j = 0; j < i; j++)
             if (strcmp(names[i], names[j]) == 0)
                 return bl_report(message, BL_USAGE, "figure '%s' is named twice", names[i]);
@@ -67,11 +47,12 @@ static bl_status check(const char *const *names, size_t count,
     return bl_make_folder(settings->folder, message);
 }
 
-static bl_status run_all(const char *const *names, size_t count,
+static bl_status run_all(const bl_registry *figures, const char *const *names, size_t count,
                          const bl_reproduce_settings *settings, runs *all, bl_message *message) {
-    size_t total = count ? count : figure_count(settings);
+    size_t total = count ? count : figures->count;
     for (size_t i = 0; i < total; i++) {
-        const bl_figure *figure = count ? find_figure(settings, names[i]) : figure_at(settings, i);
+        const bl_figure *figure =
+            count ? bl_registry_find(figures, names[i]) : bl_registry_at(figures, i);
         bl_status status = bl_run_figure(figure, settings, i, total, &all->run[i], message);
         if (status != BL_OK)
             return status;
@@ -119,17 +100,18 @@ bl_status bl_reproduce(const char *const *names, size_t count,
                        const bl_reproduce_settings *settings, bl_reproduction *result,
                        bl_message *message) {
     *result = (bl_reproduction){.verdict = BL_VERDICT_PASS};
-    bl_status status = check(names, count, settings, message);
+    const bl_registry figures = registry_of(settings);
+    bl_status status = check(&figures, names, count, settings, message);
     if (status != BL_OK)
         return status;
-    size_t total = count ? count : figure_count(settings);
+    size_t total = count ? count : figures.count;
     runs *all = calloc(1, sizeof *all + total * sizeof *all->run);
     result->figures = calloc(total, sizeof *result->figures);
     if (!all || !result->figures)
         status = bl_report(message, BL_DEVICE, "out of memory");
     result->owned = all;
     if (status == BL_OK)
-        status = run_all(names, count, settings, all, message);
+        status = run_all(&figures, names, count, settings, all, message);
     if (status == BL_OK) {
         sum_up(all, result);
         status = write_page(all, settings, result, message);

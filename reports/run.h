@@ -25,7 +25,7 @@
 #include "reports/claim.h"
 #include "reports/figure.h"
 #include "reports/plot.h"
-#include "reports/reproduce.h"
+#include "reports/settings.h"
 
 typedef struct bl_run bl_run;
 

@@ -157,7 +157,7 @@ bl_status bl_bench_noise(bl_bench *bench, const char *text, bl_isa isa, bl_messa
         strcmp(text, noise->name) == 0 ? noise->textbook : NULL;
     bl_bench_row row = {.isa = bl_isa_name(isa), .floor = NAN};
     snprintf(row.signal, sizeof row.signal, "%s", text);
-    bl_textbook_tables();
+    bl_textbook_tables(bl_noise_opener(BL_ISA_BASELINE));
     if (!time_along_axes(bench, &places, signal, textbook, row) ||
         !time_scattered(bench, &places, signal, textbook, row))
         status = bl_report(message, BL_DEVICE, "out of memory");

@@ -81,7 +81,7 @@ static void scatter(peer_work *work) {
 bl_status bl_bench_peers(bl_bench *bench, bl_message *message) {
     static peer_work work;
     scatter(&work);
-    bl_textbook_tables();
+    bl_textbook_tables(bl_noise_opener(BL_ISA_BASELINE));
     for (size_t p = 0; p < sizeof peers / sizeof *peers; p++) {
         if (!(work.function = peers[p].find()))
             continue;

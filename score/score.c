@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The registry of the properties, and the running of them.
+// What properties fill their results with.
 #include "score/score.h"
 
 #include <assert.h>
@@ -9,55 +9,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#define BL_PROPERTY(stem) extern const bl_property bl_property_##stem;
-#include "score/properties.def"
-#undef BL_PROPERTY
-
-static const bl_property *const registry[] = {
-#define BL_PROPERTY(stem) &bl_property_##stem,
-#include "score/properties.def"
-#undef BL_PROPERTY
-    NULL};
-
-enum { COUNT = sizeof registry / sizeof *registry - 1 };
-_Static_assert((int)COUNT <= (int)BL_SCORE_PROPERTIES, "a score holds every property");
-
-size_t bl_property_count(void) {
-    return COUNT;
-}
-
-const bl_property *bl_property_at(size_t index) {
-    return index + 1 < sizeof registry / sizeof *registry ? registry[index] : NULL;
-}
-
-const bl_property *bl_property_find(const char *name) {
-    for (size_t i = 0; registry[i]; i++)
-        if (strcmp(registry[i]->name, name) == 0)
-            return registry[i];
-    return NULL;
-}
-
 bl_score_settings bl_score_default_settings(void) {
     return (bl_score_settings){
         .alpha = 1e-6, .table = 1, .size = BL_NORMAL, .seed = 1, .level = 0.95};
-}
-
-bl_status bl_score_measure(const bl_score_subject *subject, const bl_score_settings *settings,
-                           uint64_t wanted, bl_score *score, bl_message *message) {
-    bl_score_settings share = *settings;
-    // Boole's inequality: the parts add up to alpha at most, whatever depends on what.
-    share.alpha /= (double)(settings->table ? settings->table : 1) * (COUNT ? COUNT : 1);
-    memset(score, 0, sizeof *score);
-    for (size_t i = 0; registry[i]; i++) {
-        bl_score_property *result = &score->properties[i];
-        bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL, BL_SCORE_NOT_ASKED);
-        if (!(wanted >> i & 1))
-            continue;
-        bl_status status = registry[i]->measure(subject, &share, result, message);
-        if (status != BL_OK)
-            return status;
-    }
-    return BL_OK;
 }
 
 void bl_score_add(bl_score_property *result, const char *name, bl_estimate estimate) {
@@ -112,15 +66,4 @@ void bl_score_add_claim(bl_score_property *result, const char *name, bl_verdict 
 
 const char *bl_score_against_word(bl_score_against against) {
     return against == BL_AGAINST_CLAIM ? "claim" : "ideal";
-}
-
-bl_verdict bl_score_verdict(const bl_score *scores, size_t count, int strict) {
-    bl_verdict verdict = BL_VERDICT_PASS;
-    for (size_t s = 0; s < count; s++)
-        for (size_t i = 0; registry[i]; i++) {
-            const bl_score_property *one = &scores[s].properties[i];
-            if (one->against == BL_AGAINST_CLAIM || strict)
-                verdict = bl_verdict_worse(verdict, one->verdict);
-        }
-    return verdict;
 }

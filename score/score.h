@@ -18,6 +18,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/registry.h"
 #include "core/signal.h"
 #include "core/size.h"
 #include "core/statistics.h"
@@ -85,10 +86,8 @@ typedef struct bl_score_settings {
 } bl_score_settings;
 
 typedef struct bl_property {
-    const char *name;     // the JSON key: "isotropy"
-    const char *title;    // the column of the table: "isotropy"
-    const char *entry;    // what stands in that column: "the shortest repeat, in units"
-    const char *question; // what it asks, in one sentence
+    BL_ENTRY(title, question); // the name is the JSON key, the title the column of the table
+    const char *entry;         // what stands in that column: "the shortest repeat, in units"
     // Fills the result, which comes zeroed with verdict BL_VERDICT_NOT_RUN. Errors only where
     // nothing could be measured at all (BL_DEVICE out of memory); a signal that cannot be judged is
     // "not run" with its reason.
@@ -100,9 +99,7 @@ typedef struct bl_property {
     extern const bl_property bl_property_##stem;                                                   \
     const bl_property bl_property_##stem
 
-size_t bl_property_count(void);
-const bl_property *bl_property_at(size_t index); // NULL past the end
-const bl_property *bl_property_find(const char *name);
+BL_REGISTRY(bl_property, bl_property, bl_properties)
 
 typedef struct bl_score {
     bl_score_property properties[BL_SCORE_PROPERTIES]; // in the order of the registry

@@ -7,32 +7,6 @@
 
 #include "core/clock.h"
 
-#define BL_TRADE(stem) extern const bl_trade bl_trade_##stem;
-#include "score/trades.def"
-#undef BL_TRADE
-
-static const bl_trade *const registry[] = {
-#define BL_TRADE(stem) &bl_trade_##stem,
-#include "score/trades.def"
-#undef BL_TRADE
-};
-enum { TRADE_COUNT = sizeof registry / sizeof *registry };
-
-size_t bl_trade_count(void) {
-    return TRADE_COUNT;
-}
-
-const bl_trade *bl_trade_at(size_t index) {
-    return index < TRADE_COUNT ? registry[index] : NULL;
-}
-
-const bl_trade *bl_trade_find(const char *name) {
-    for (size_t i = 0; i < TRADE_COUNT; i++)
-        if (strcmp(registry[i]->name, name) == 0)
-            return registry[i];
-    return NULL;
-}
-
 // --- the list -----------------------------------------------------------------------------------
 
 bl_alternative *bl_alternatives_add(bl_alternatives *alternatives, const char *name) {

@@ -15,6 +15,7 @@
 #ifndef BL_SCORE_TRADE_H
 #define BL_SCORE_TRADE_H
 
+#include "core/registry.h"
 #include "core/definition.h"
 #include "core/size.h"
 #include "core/statistics.h"
@@ -47,8 +48,7 @@ typedef struct bl_alternatives {
 } bl_alternatives;
 
 typedef struct bl_trade {
-    const char *name; // "kernel-table"
-    const char *title, *question, *paper;
+    BL_ENTRY(title, question);
     const char *error_name; // "rms error against the exact kernel"
     const char *error_unit; // "of the standard deviation"
     const char *sample;     // what is timed: "a value at a scattered point"
@@ -59,9 +59,7 @@ typedef struct bl_trade {
     void (*close)(bl_alternatives *alternatives);
 } bl_trade;
 
-size_t bl_trade_count(void);
-const bl_trade *bl_trade_at(size_t index);       // NULL past the end
-const bl_trade *bl_trade_find(const char *name); // NULL for an unknown name
+BL_REGISTRY(bl_trade, bl_trade, bl_trades)
 
 // Opens the alternatives, times them and marks the front; the caller ends with bl_trade_close.
 bl_status bl_trade_run(const bl_trade *trade, const bl_signal *subject,

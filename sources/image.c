@@ -11,6 +11,7 @@
 
 #include "core/grammar.h"
 #include "core/image.h"
+#include "core/registry.h"
 #include "sources/source_kinds.h"
 #include "sources/grid_parameters.h"
 
@@ -81,13 +82,13 @@ static bl_status check_keys(const bl_spec *spec, bl_message *message) {
         int known = 0;
         for (int k = 0; image_keys[k]; k++)
             known |= strcmp(key, image_keys[k]) == 0;
-        const char *near = known ? NULL : bl_nearest(key, image_keys);
-        if (!known)
-            return bl_report(message, BL_USAGE,
-                             "unknown key '%s' of an image at column %zu%s%s%s the keys are "
-                             "channel, spacing, part, memory, wrap and interp",
-                             key, spec->settings[i].key_column, near ? "; did you mean '" : "",
-                             near ? near : "", near ? "'?" : ";");
+        if (known)
+            continue;
+        char where[64];
+        snprintf(where, sizeof where, " of an image at column %zu", spec->settings[i].key_column);
+        const bl_unknown unknown = {
+            .what = "key", .word = key, .where = where, .words = image_keys};
+        return bl_report_unknown(&unknown, message);
     }
     return BL_OK;
 }

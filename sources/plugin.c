@@ -150,7 +150,8 @@ static void drop(plugin_source *plugin) {
     free(plugin);
 }
 
-static bl_status plugin_build(void *parameters, bl_message *message) {
+static bl_status plugin_build(void *parameters, bl_opener *open, bl_message *message) {
+    (void)open;
     plugin_block *block = parameters;
     plugin_source *plugin = block->plugin;
     int failed = 0;

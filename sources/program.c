@@ -330,7 +330,8 @@ static void drop(program_source *program) {
     free(program);
 }
 
-static bl_status program_build(void *parameters, bl_message *message) {
+static bl_status program_build(void *parameters, bl_opener *open, bl_message *message) {
+    (void)open;
     program_block *block = parameters;
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     block->pool = calloc(1, sizeof *block->pool);

@@ -16,7 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/grammar.h"
+#include "core/registry.h"
 
 enum { MOST_SEGMENTS = 256 };
 

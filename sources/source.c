@@ -157,20 +157,13 @@ const bl_definition *bl_source_definition_at(size_t index) {
 }
 
 static bl_status report_unknown(const char *name, bl_message *message) {
-    size_t count = 0;
-    while (bl_source_definition_at(count))
-        count++;
-    const char **names = calloc(count + 1, sizeof *names);
-    if (!names)
-        return bl_report(message, BL_DEVICE, "out of memory");
-    for (size_t i = 0; i < count; i++)
-        names[i] = bl_source_definition_at(i)->name;
-    const char *near = bl_nearest(name, names);
-    bl_status status = bl_report(
-        message, BL_USAGE, "unknown signal '%s' at column 1%s%s%s `bandlimit list` shows all", name,
-        near ? "; did you mean '" : "", near ? near : "", near ? "'?" : ";");
-    free(names);
-    return status;
+    const bl_unknown unknown = {
+        .what = "signal",
+        .word = name,
+        .where = " at column 1",
+        .registries = (const bl_registry *const[]){&bl_noises, &bl_primitives, &bl_textures, NULL},
+        .all = "`bandlimit list` shows all"};
+    return bl_report_unknown(&unknown, message);
 }
 
 static bl_status open_definition(const char *text, bl_isa isa, bl_signal **signal,
@@ -180,7 +173,8 @@ static bl_status open_definition(const char *text, bl_isa isa, bl_signal **signa
     if (status != BL_OK)
         return status;
     const bl_definition *definition = bl_source_definition(spec.name, isa);
-    status = definition ? bl_definition_open(definition, &spec, text, signal, message)
+    status = definition ? bl_definition_open(definition, &spec, text, bl_noise_opener(isa), signal,
+                                             message)
                         : report_unknown(spec.name, message);
     bl_spec_free(&spec);
     return status;

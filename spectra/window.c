@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/grammar.h"
+#include "core/registry.h"
 
 enum { TERMS = 4 };
 
@@ -34,14 +34,11 @@ bl_status bl_window_read(const char *word, bl_window *window, bl_message *messag
             *window = (bl_window)i;
             return BL_OK;
         }
-    const char *candidates[BL_WINDOW_COUNT + 1] = {0};
+    const char *words[BL_WINDOW_COUNT + 1] = {0};
     for (unsigned i = 0; i < BL_WINDOW_COUNT; i++)
-        candidates[i] = windows[i].name;
-    const char *nearest = bl_nearest(word, candidates);
-    return bl_report(message, BL_USAGE,
-                     "unknown window '%s'%s%s%s; there are blackman-harris, hann and rectangle",
-                     word, nearest ? ", did you mean '" : "", nearest ? nearest : "",
-                     nearest ? "'?" : "");
+        words[i] = windows[i].name;
+    return bl_report_unknown(&(bl_unknown){.what = "window", .word = word, .words = words},
+                             message);
 }
 
 // The window at an angle; cos(2p) and cos(3p) from cos(p), Chebyshev's polynomials.

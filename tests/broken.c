@@ -163,7 +163,8 @@ static void gradient(const void *parameters, const double at[BL_AXES], double ou
         out[0] *= 1.02;
 }
 
-static bl_status build(void *parameters, bl_message *message) {
+static bl_status build(void *parameters, bl_opener *open, bl_message *message) {
+    (void)open;
     block *b = parameters;
     char text[64];
     uint64_t seed = b->seed;

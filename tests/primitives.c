@@ -10,7 +10,7 @@ bl_status bl_test_open_primitive(const char *text, bl_signal **signal, bl_messag
     if (status != BL_OK)
         return status;
     const bl_primitive *primitive = bl_primitive_find(spec.name);
-    status = primitive ? bl_definition_open(primitive, &spec, text, signal, message)
+    status = primitive ? bl_definition_open(primitive, &spec, text, NULL, signal, message)
                        : bl_report(message, BL_USAGE, "no primitive is called '%s'", spec.name);
     bl_spec_free(&spec);
     return status;

@@ -73,7 +73,7 @@ bl_signal *bl_test_ripple(double mean, double amplitude, double fx, double fy) {
     snprintf(text, sizeof text, "ripple:mean=%.17g,amplitude=%.17g,fx=%.17g,fy=%.17g", mean,
              amplitude, fx, fy);
     assert_int_equal(bl_spec_parse(text, &spec, NULL), BL_OK);
-    assert_int_equal(bl_definition_open(&ripple, &spec, text, &signal, NULL), BL_OK);
+    assert_int_equal(bl_definition_open(&ripple, &spec, text, NULL, &signal, NULL), BL_OK);
     bl_spec_free(&spec);
     return signal;
 }

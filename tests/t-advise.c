@@ -147,7 +147,8 @@ static bl_signal *open_brick(void) {
     bl_message message;
     assert_int_equal(bl_spec_parse("brick", &spec, &message), BL_OK);
     assert_int_equal(
-        bl_definition_open(bl_texture_find("brick"), &spec, "brick", &signal, &message), BL_OK);
+        bl_definition_open(bl_texture_find("brick"), &spec, "brick", NULL, &signal, &message),
+        BL_OK);
     bl_spec_free(&spec);
     return signal;
 }

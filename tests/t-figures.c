@@ -10,6 +10,7 @@
 
 #include "core/version.h"
 #include "reports/figure.h"
+#include "reports/reproduce.h"
 
 static bl_reproduction first_run; // of all figures, shared by the tests
 

@@ -2,6 +2,7 @@
 #include "tests/test.h"
 
 #include "core/grammar.h"
+#include "core/registry.h"
 
 typedef struct block {
     uint64_t seed;

@@ -792,7 +792,7 @@ static void test_errors_name_the_basis(void **state) {
         {"fractalsum:basis=gnoice", {"in the basis 'gnoice'", "did you mean 'gnoise'"}},
         {"fbm:basis.fad=cubic", {"'basis.fad' at column 5 of 'fbm:basis.fad=cubic'", "'fade'"}},
         {"ridged:basis=vnoise,basis.interp=cubic",
-         {"basis.interp=cubic at column 34 of 'ridged:", "linear"}},
+         {"'basis.interp=cubic' at column 34 of 'ridged:", "linear"}},
         {"fbm:basis=fbm,octaves=2,basis.basis.fdae=cubic",
          {"'basis.basis.fdae' at column 25 of 'fbm:basis=fbm"}},
         {"fbm:basis=./my.so:mine", {"list noises"}},

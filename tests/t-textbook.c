@@ -69,7 +69,7 @@ static void check_field(const bl_noise *noise) {
 
 static void test_plain_loops_compute_the_field_they_name(void **state) {
     (void)state;
-    bl_textbook_tables();
+    bl_textbook_tables(bl_noise_opener(BL_ISA_BASELINE));
     for (size_t n = 0; n < bl_noise_count(); n++) {
         const bl_noise *noise = bl_noise_at(n, BL_ISA_BEST);
         if (noise->textbook_settings)
@@ -91,7 +91,7 @@ static void test_the_plain_loop_of_cellular_looks_far_enough(void **state) {
     const bl_noise *noise = bl_noise_find("cellular", BL_ISA_BEST);
     bl_signal *signal = bl_test_open("cellular:" BL_TEXTBOOK_VALUES, BL_ISA_BEST);
     int far = 0;
-    bl_textbook_tables();
+    bl_textbook_tables(bl_noise_opener(BL_ISA_BASELINE));
     for (int i = 0; i < 65536; i++) {
         const double at[BL_AXES] = {i % 256, i / 256, 0, 0};
         double value = (double)noise->textbook((float)at[0], (float)at[1], 0);
@@ -187,7 +187,7 @@ static void check_statistics(const bl_noise *noise, uint64_t stream, double limi
 static void test_plain_loops_with_numbers_of_their_own_have_the_covariance(void **state) {
     (void)state;
     size_t count = 0;
-    bl_textbook_tables();
+    bl_textbook_tables(bl_noise_opener(BL_ISA_BASELINE));
     for (size_t n = 0; n < bl_noise_count(); n++)
         count += !bl_noise_at(n, BL_ISA_BEST)->textbook_settings;
     double limit = -bl_normal_quantile(ERROR_RATE / (2.0 * ESTIMATES * (double)count));

@@ -30,7 +30,8 @@ static bl_signal *open_signal(const char *text) {
     definition = definition ? definition : bl_primitive_find(spec.name);
     definition = definition ? definition : bl_texture_find(spec.name);
     assert_non_null(definition);
-    if (bl_definition_open(definition, &spec, text, &signal, &message) != BL_OK)
+    if (bl_definition_open(definition, &spec, text, bl_noise_opener(BL_ISA_BEST), &signal,
+                           &message) != BL_OK)
         fail_msg("%s: %s", text, message.text);
     bl_spec_free(&spec);
     return signal;

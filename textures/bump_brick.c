@@ -116,7 +116,8 @@ static bl_colour see(const bump_brick_parameters *p, const double at[BL_AXES],
 BL_TEXTURE_ABILITIES(bump_brick_parameters, 2)
 
 // Rows differ by their shift alone, which a mean does not see.
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
+    (void)open;
     enum { PLACES = 256 };
     bump_brick_parameters *p = block;
     const bl_brick brick = bl_brick_of(&p->sizes);

@@ -109,7 +109,8 @@ static bl_colour mean_of(const cloud_plane_parameters *p) {
     return mean;
 }
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
+    (void)open;
     cloud_plane_parameters *p = block;
     bl_status status = BL_OK;
     for (int i = 0; i < TERMS_MOST; i++) // of a copied block, those of the other

@@ -137,7 +137,8 @@ static void release(void *block) {
     bl_noise_source_close(&p->noise);
 }
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
+    (void)open;
     image_parameters *p = block;
     p->texels = NULL;
     p->table[0] = p->table[1] = p->table[2] = NULL;

@@ -126,7 +126,8 @@ static int put_sum_text(const marble_parameters *p, char *out, size_t size) {
     return length > 0 && (size_t)length + 8 < size;
 }
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
+    (void)open;
     marble_parameters *p = block;
     char text[2 * BL_TEXT_SIZE];
     p->sum = NULL;

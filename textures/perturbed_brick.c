@@ -87,7 +87,8 @@ static bl_colour see(const perturbed_brick_parameters *p, const double at[BL_AXE
 
 BL_TEXTURE_ABILITIES(perturbed_brick_parameters, 2)
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
+    (void)open;
     perturbed_brick_parameters *p = block;
     return bl_noise_source_open(&p->noise, p->noise.text, 1, message);
 }

@@ -4,32 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#define BL_TEXTURE(stem) extern const bl_texture bl_texture_##stem;
-#include "textures/textures.def"
-#undef BL_TEXTURE
-
-static const bl_texture *const registry[] = {
-#define BL_TEXTURE(stem) &bl_texture_##stem,
-#include "textures/textures.def"
-#undef BL_TEXTURE
-};
-
 const char *const bl_colour_components[] = {"luminance", "red", "green", "blue", NULL};
-
-size_t bl_texture_count(void) {
-    return sizeof registry / sizeof *registry;
-}
-
-const bl_texture *bl_texture_at(size_t index) {
-    return index < bl_texture_count() ? registry[index] : NULL;
-}
-
-const bl_texture *bl_texture_find(const char *name) {
-    for (size_t i = 0; i < bl_texture_count(); i++)
-        if (strcmp(registry[i]->name, name) == 0)
-            return registry[i];
-    return NULL;
-}
 
 // The weights of ITU-R BT.709, whose primaries sRGB has; they sum to 1.
 double bl_colour_component(const double rgb[3], uint32_t component) {

@@ -14,13 +14,12 @@
 
 #include <stddef.h>
 
+#include "core/registry.h"
 #include "core/definition.h"
 
 typedef bl_definition bl_texture;
 
-size_t bl_texture_count(void);
-const bl_texture *bl_texture_at(size_t index);       // NULL past the end
-const bl_texture *bl_texture_find(const char *name); // NULL for an unknown name
+BL_REGISTRY(bl_texture, bl_texture, bl_textures)
 
 typedef struct bl_colour {
     double rgb[3];

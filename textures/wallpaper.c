@@ -104,7 +104,8 @@ static bl_colour see(const wallpaper_parameters *p, const double at[BL_AXES],
 
 BL_TEXTURE_ABILITIES(wallpaper_parameters, 2)
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
+    (void)open;
     enum { CELLS = 64 };
     wallpaper_parameters *p = block;
     bl_status status = bl_noise_source_open(&p->noise, p->noise.text, 2, message);

@@ -98,7 +98,8 @@ static bl_colour see(const wood_parameters *p, const double at[BL_AXES],
 
 BL_TEXTURE_ABILITIES(wood_parameters, 3)
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
+    (void)open;
     wood_parameters *p = block;
     return bl_noise_source_open(&p->noise, p->noise.text, 3, message);
 }

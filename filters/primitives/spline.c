@@ -117,7 +117,8 @@ static void colour(const void *block, const bl_samples *samples, double *rgb) {
     }
 }
 
-static bl_status build(void *block, bl_message *message) {
+static bl_status build(void *block, bl_opener *open, bl_message *message) {
+    (void)open;
     return read_knots(block, message);
 }
 

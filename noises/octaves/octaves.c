@@ -62,13 +62,13 @@ static bl_status check_basis(const char *basis, bl_message *message) {
     return status;
 }
 
-static bl_status open_basis(const char *basis, bl_isa isa, bl_signal **signal,
+static bl_status open_basis(const char *basis, bl_opener *open, bl_signal **signal,
                             bl_message *message) {
     bl_message inner = {""};
     bl_status status = check_basis(basis, message);
     if (status != BL_OK)
         return status;
-    status = bl_noise_open(basis, isa, signal, &inner);
+    status = open(basis, signal, &inner);
     return status == BL_OK ? BL_OK : report_basis(basis, inner.text, status, message);
 }
 
@@ -208,14 +208,14 @@ static bl_status seed_octaves(bl_octaves *octaves, const bl_octaves_settings *se
 }
 
 bl_status bl_octaves_build(bl_octaves_settings *settings, const bl_octaves_plan *plan,
-                           const bl_octaves_rules *rules, bl_isa isa, bl_message *message) {
+                           const bl_octaves_rules *rules, bl_opener *open, bl_message *message) {
     bl_signal *basis = NULL;
     bl_octaves *octaves = calloc(1, sizeof *octaves);
     if (!octaves)
         return bl_report(message, BL_DEVICE, "out of memory for a sum of octaves");
     octaves->plan = *plan;
     octaves->rules = *rules;
-    bl_status status = open_basis(settings->basis, isa, &basis, message);
+    bl_status status = open_basis(settings->basis, open, &basis, message);
     if (status == BL_OK)
         status = seed_octaves(octaves, settings, basis, message);
     if (status == BL_OK)

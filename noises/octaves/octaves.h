@@ -105,7 +105,7 @@ typedef struct bl_octaves_settings {
 // Opens the basis and makes the sum. Errors: BL_USAGE for a bad basis (the message names it),
 // BL_DEVICE out of memory.
 bl_status bl_octaves_build(bl_octaves_settings *settings, const bl_octaves_plan *plan,
-                           const bl_octaves_rules *rules, bl_isa isa, bl_message *message);
+                           const bl_octaves_rules *rules, bl_opener *open, bl_message *message);
 
 // F of a value of the basis, without the weight of a ridge; its slope in *slope.
 double bl_octaves_fold(const bl_octaves_rules *rules, double noise, double *slope);

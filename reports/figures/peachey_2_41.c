@@ -25,7 +25,7 @@ static const bl_signal *open_picture(bl_run *run, const char *amount) {
                              {.key = amount_key, .value = (char *)amount}};
     const bl_spec spec = {.name = name, .settings = settings, .count = 2};
     bl_signal *signal = NULL;
-    bl_run_must(run, bl_definition_open(bl_texture_find("image"), &spec, "image", &signal,
+    bl_run_must(run, bl_definition_open(bl_texture_find("image"), &spec, "image", NULL, &signal,
                                         bl_run_message(run)));
     return bl_run_keep(run, signal, release_signal);
 }
