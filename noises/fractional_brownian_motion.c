@@ -13,8 +13,7 @@
 //   gain        0 to 1; default 1/2. With lacunarity^-H octaves add up to a spectrum of slope
 //               -(2 H + 1) along a line, about that of fractional Brownian motion of exponent H
 //   seeds       fresh: each octave has its own numbers, drawn from the seed; same: all have those
-//   of
-//               the basis with this seed, as in fractalsum
+//               of the basis with this seed, as in fractalsum
 //   shift       random: each octave but the first is moved by o_i, uniform within 2^10 cells along
 //               each axis, drawn from the seed; none
 //   rotate      random: each octave but the first is turned by R_i, a uniformly random rotation of

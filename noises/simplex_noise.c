@@ -10,9 +10,8 @@
 // Back goes d_i = u_i - G sum_j u_j, G = (1 - 1/sqrt(n+1))/n.
 //
 // Parameters
-//   seed, lattice, component, period   the gradients (noises/lattice/lattice.h); the cells are
-//                                      those of
-//            the skewed lattice. A period is a multiple of 3, and for dims=3 alone
+//   seed, lattice, component, period   of the gradients (noises/lattice/lattice.h); the cells are
+//            those of the skewed lattice. A period is a multiple of 3, and for dims=3 alone
 //   dims     n = 2 to 4, default 3: coordinates beyond them are ignored
 //   radius2  r2 = 0.5 (default), or 0.6 as is often seen
 //

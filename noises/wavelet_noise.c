@@ -18,10 +18,10 @@
 //   size    numbers in the tile, a power of two from 8 on, one or one an axis; 0: 64 along each
 //           axis in two dimensions, 32 in three. In units, the period is half of it
 //   slice   none: the noise itself. A plane cut out of three-dimensional noise is not band-pass:
-//   the
-//           integral over f_z fills it, and 22 % of its variance is below |f| = 1/2. projected
-//           (dims=3): along `normal` the kernel is b((2z - j)/2), twice as wide, the coarse spline:
-//           the noise is convolved along the normal, so that slices at every z have 4.5 % there
+//           the integral over f_z fills it, and 22 % of its variance is below |f| = 1/2.
+//           projected (dims=3): along `normal` the kernel is b((2z - j)/2), the coarse spline,
+//           twice as wide: the noise is convolved along the normal, so that slices at every z have
+//           4.5 % there
 //   normal  x, y or z
 //
 // Variance 1, mean 0 over places and seeds: exact, from the spectrum of the projection. Bound: |r|

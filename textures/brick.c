@@ -7,17 +7,18 @@
 // Parameters
 //   brick_width, brick_height, mortar   units; defaults of the text: 1/4, 0.08 and 0.01
 //   filter   none
-//            boxstep, smoothstep   the text's first remedy: the steps at both ends of the brick
-//            that
-//                       the sample's centre lies in become ramps (or cubics) one width long. Right
-//                       in the middle of a brick; the brick next door is not seen, so that mortar
-//                       gets too wide as soon as the width exceeds it, and at width w >> 1 all is
-//                       mortar
-//            integral   the text's second remedy: exact averages of both pulses. Their product is
-//                       the average of the wall only while the sample stays in one row; across
-//                       rows the shift of the centre's row is taken for all of them
-//            exact      the box average of the wall: both parities of rows, each with its own shift
-//            mean       the mean colour for every width above 0
+//            boxstep, smoothstep  the text's first remedy: the steps at both ends of the brick that
+//                                 the sample's centre lies in become ramps (or cubics) one width
+//                                 long. Right in the middle of a brick. The brick next door is not
+//                                 seen, so mortar gets too wide as soon as the width exceeds it; at
+//                                 width w >> 1 all is mortar
+//            integral             the text's second remedy: exact averages of both pulses. Their
+//                                 product is the average of the wall only while the sample stays in
+//                                 one row; across rows, the shift of the centre's row is taken for
+//                                 all of them
+//            exact                the box average of the wall: both parities of rows, each with its
+//                                 own shift
+//            mean                 the mean colour for every width above 0
 //   width, component   see textures/texture.h
 //
 // Bound: between the two colours, since all weights lie in [0, 1]. Mean: that of the shares of

@@ -10,12 +10,11 @@
 //   brick_width, brick_height, mortar   as of brick
 //   depth    of the grooves, units; default 0.003, a slope of 0.9 at most for the default mortar
 //   filter   none
-//            slope   the box averages of the height's slopes (differences of heights, in the row of
-//                    the sample's centre) bend the normal, and the colour has its exact average.
-//                    What a bend of both signs adds to the light is lost
-//            fade    the point's colour goes over to the mean between half the Nyquist limit of a
-//            row
-//                    of bricks and the limit
+//            slope  the box averages of the height's slopes (differences of heights, in the row of
+//                   the sample's centre) bend the normal, and the colour has its exact average.
+//                   What a bend of both signs adds to the light is lost
+//            fade   the point's colour goes over to the mean between half the Nyquist limit of a
+//                   row of bricks and the limit
 //   width, component   see textures/texture.h
 //
 // Bound: between black and the brick's colours, as light is no more than 1. Mean: not stated (no

@@ -8,12 +8,11 @@
 // Parameters
 //   size     of a square, units; default 1
 //   filter   none
-//            exact   the box average: q(s) and q(t) are independent, so the average of their
-//            product
-//                    is the product of their averages
-//            fade    the point's colour goes over to the mean between half the Nyquist limit of the
-//                    pattern's fundamental, 1/(2 size), and the limit
-//            mean    the mean colour for every width above 0
+//            exact  the box average: q(s) and q(t) are independent, so the average of their product
+//                   is the product of their averages
+//            fade   the point's colour goes over to the mean between half the Nyquist limit of the
+//                   pattern's fundamental, 1/(2 size), and the limit
+//            mean   the mean colour for every width above 0
 //   width, component   see textures/texture.h
 //
 // Bound: between dark and light. Mean: half way. Variance of the raw form: (light - dark)^2 / 4.

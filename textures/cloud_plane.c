@@ -10,10 +10,9 @@
 //   contrast 0 to 100: what the sum is multiplied by before it is clamped; default 1, the text's,
 //            with which no cloud has more than 39 % of white
 //   filter   none
-//            clamp, fade   terms whose frequency is beyond the Nyquist limit of the width are
-//            removed,
-//                     at once or from half the limit on, and leave their mean. What their folding
-//                     at 0 would have given to the mean is lost
+//            clamp, fade  terms whose frequency is beyond the Nyquist limit of the width are
+//                         removed, at once or from half the limit on, and leave their mean. What
+//                         their folding at 0 would have given to the mean is lost
 //   width, component   see textures/texture.h
 //
 // A term's part in the sum is the difference of two sums, so that no loop over terms stands here:

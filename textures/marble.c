@@ -9,12 +9,11 @@
 //   seed, basis   any noise of three dimensions, with basis.KEY; default gnoise
 //   scale    lattice cells in a unit; default 2.5, the text's
 //   filter   none
-//            clamp, fade   octaves beyond the Nyquist limit of the width are removed, at once or
-//            from
-//                     half the limit on (noises/octaves/octaves.h). What the map would have made of
-//                     them is lost: at last all is the one colour of m = 0
-//            map      fade, and the map is averaged over a normal distribution with the variance
-//                     that the octaves have lost, so that the mean colour stays
+//            clamp, fade  octaves beyond the Nyquist limit of the width are removed, at once or
+//                         from half the limit on (noises/octaves/octaves.h). What the map would
+//                         have made of them is lost: at last all is the one colour of m = 0
+//            map          fade, and the map is averaged over a normal distribution with the
+//                         variance that the octaves have lost, so that the mean colour stays
 //   width, component   see textures/texture.h
 //
 // Bound: colours are cut to [0, 1], which the spline leaves nowhere with these knots. Mean: not

@@ -8,9 +8,9 @@
 //
 // Parameters
 //   filter   none
-//            integral   the exact average of the map over the altitudes that the sample spans, z by
-//            z:
-//                       width_z / (2 |(x, y, z)|); what the other widths change is left aside
+//            integral  the exact average of the map over the altitudes that the sample spans: its
+//                      width in altitude is width_z / (2 |(x, y, z)|). What the other widths change
+//                      is left aside
 //   width, component   see textures/texture.h
 //
 // Bound: colours are cut to [0, 1]; the spline undershoots 0 in blue just below the horizon. Mean

@@ -11,10 +11,10 @@
 //   seed, noise   default gnoise:dims=1, within +-1/2
 //   amount    0 to 10 bricks; default 0.1, the text's
 //   filter   none
-//            integral   exact averages of both pulses, all rows shifted as that of the centre
-//            exact      the box average: each row that the sample touches with its own shift. Of a
-//                       sample over more than 256 rows, the 256 around its centre stand for all
-//            mean       the mean colour for every width above 0
+//            integral  exact averages of both pulses, all rows shifted as that of the centre
+//            exact     the box average: each row that the sample touches with its own shift. Of a
+//                      sample over more than 256 rows, the 256 around its centre stand for all
+//            mean      the mean colour for every width above 0
 //   width, component   see textures/texture.h
 //
 // Bound, mean: those of brick. Period: across one brick; upwards that of the noise, not stated.

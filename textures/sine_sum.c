@@ -8,10 +8,10 @@
 // Parameters
 //   min, max   cycles per unit, 1e-6 to 1e6; defaults 1 and 64: six waves
 //   filter   none
-//            clamp, fade   waves beyond the Nyquist limit of the width are removed, at once or from
-//                     half the limit on. As in noises/octaves/octaves.h: the text's fade fades its
-//                     last wave at any width if max is no more than twice its frequency
-//            exact    the box average: each wave times sin(pi f w) / (pi f w)
+//            clamp, fade  waves beyond the Nyquist limit of the width are removed, at once or from
+//                         half the limit on. As in noises/octaves/octaves.h, the text's fade fades
+//                         its last wave at any width if max is no more than twice its frequency
+//            exact        the box average: each wave times sin(pi f w) / (pi f w)
 //   width, component   see textures/texture.h
 //
 // Bound: 0 and 1. Mean: 1/2. Variance: the sum of 1/(2 f^2) over 4 times the square of the sum of

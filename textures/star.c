@@ -11,12 +11,11 @@
 //   form         corrected; printed: the text takes the fraction of a point (0 to 1/2) for the
 //                angle in radians, so that edges become curves and the star too fat
 //   filter   none
-//            boxstep, smoothstep   the step across the edge becomes a ramp or a cubic as wide as
-//            the
-//                     sample's box across the edge. Right along an edge; at tips and notches, and
-//                     where the sample is wider than the star, it is not
-//            exact    the area of the star within the box of the sample; of the corrected form, and
-//                     for widths above 0 along both axes or none
+//            boxstep, smoothstep  the step across the edge becomes a ramp or a cubic as wide as the
+//                                 sample's box across the edge. Right along an edge; not at tips
+//                                 and notches, nor where the sample is wider than the star
+//            exact                the area of the star within the box of the sample; of the
+//                                 corrected form, and for widths above 0 along both axes or none
 //   width, component   see textures/texture.h
 //
 // Bound: between two colours. Mean over the plane, and infinite width: the field. Period: none.

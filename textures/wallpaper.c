@@ -9,17 +9,17 @@
 //   seed, noise   n: any noise of two dimensions; default gnoise:dims=2
 //   count    cells in a unit along each axis; default 10
 //   cells    neighbours: the star of each of the nine cells around a place is tested; one: the
-//   text's
-//            first listing: there is a star in each cell, and only that of the place's own cell is
-//            seen, so that it is cut off at the cell's edge
+//            text's first listing: there is a star in each cell, and only that of the place's own
+//            cell is seen, so that it is cut off at the cell's edge
 //   form     of cells=neighbours. corrected; printed: whether a star is present is asked of the
 //            centre cell's column instead of the star's own, so that a star that reaches into the
 //            next column may end at its edge
 //   filter   none
-//            boxstep, smoothstep   edges as of star. Where the sample is wider than a quarter of a
-//                     cell, stars beyond the nine cells are missed
-//            fade     boxstep, and over to the mean between half the Nyquist limit of the cells and
-//                     the limit, at which the sample is as wide as half a cell
+//            boxstep, smoothstep  edges as of star. Where the sample is wider than a quarter of a
+//                                 cell, stars beyond the nine cells are missed
+//            fade                 boxstep, and over to the mean between half the Nyquist limit of
+//                                 the cells and the limit, at which the sample is as wide as half a
+//                                 cell
 //   width, component   see textures/texture.h
 //
 // Stars have 5 points and radii of 0.1 and 0.3 cells. Bound: between two colours. Mean: not stated;

@@ -12,10 +12,10 @@
 //   wobble   of the rings, in rings; default 1
 //   fibre    of the fibres; 0 to 0.5; default 0.35
 //   filter   none
-//            clamp   rings go to their mean, and fibres away, at the Nyquist limit of the width
-//            fade    the same, from half the limit on
-//            integral  the exact average of the rings over the width along the radius (as if noise
-//                    stood still within it), and fibres faded
+//            clamp     rings go to their mean, and fibres away, at the Nyquist limit of the width
+//            fade      the same, from half the limit on
+//            integral  the exact average of the rings over the width along the radius (as if the
+//                      noise stood still within it), and fibres faded
 //   width, component   see textures/texture.h
 //
 // Bound: colours are cut to [0, 1]; with the default noise nothing is cut. Mean: half way between

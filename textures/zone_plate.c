@@ -7,15 +7,14 @@
 // Parameters
 //   chirp    k, cycles per unit, per unit; default 100, that of hart1999
 //   filter   none
-//            fade     the contrast goes to 0 between half the Nyquist limit of the width and the
-//            limit,
-//                     by the frequency k r of the place
-//            gaussian exact average under the filter `gaussian` (filters/gaussian.c), of standard
-//                     deviation sigma = width/2 along each axis:
-//                     cos is the real part of e(s) e(t), and each e becomes
-//                     exp(i pi k s^2 / d) / sqrt(d),  d = 1 - 2 pi i k sigma^2
-//            exact    the box average: each e becomes a difference of Fresnel integrals over the
-//                     width
+//            fade      the contrast goes to 0 between half the Nyquist limit of the width and the
+//                      limit, by the frequency k r of the place
+//            gaussian  exact average under the filter `gaussian` (filters/gaussian.c), of standard
+//                      deviation sigma = width/2 along each axis: cos is the real part of e(s)
+//                      e(t), and each e becomes
+//                          exp(i pi k s^2 / d) / sqrt(d),  d = 1 - 2 pi i k sigma^2
+//            exact     the box average: each e becomes a difference of Fresnel integrals over the
+//                      width
 //   width, component   see textures/texture.h
 //
 // Bound: 0 and 1. Mean over the plane: 1/2. Period: none. All derivatives. Rings lose their

@@ -8,8 +8,7 @@
 //
 // Parameters
 //   low, high               the edges, any finite numbers. Reversed they make pulses of -1 from
-//   high
-//                           up to low, as the difference says; equal edges make 0
+//                           high up to low, as the difference says; equal edges make 0
 //   period                  after which it repeats, inf for a single pulse. A pulse as long as the
 //                           period is the constant 1. A negative one mirrors the train
 //   width, filter, anchor   how it is averaged (filters/primitive.h)
