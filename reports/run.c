@@ -13,6 +13,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "core/csv.h"
 #include "core/version.h"
 #include "reports/output.h"
 #include "reports/owned.h"
@@ -114,55 +115,51 @@ static void add_file(bl_run *run, const char *name, const char *ending) {
     result->files[result->file_count++] = bl_run_text(run, "%s.%s", name, ending);
 }
 
-// RFC 4180: quotes only where they are needed, doubled inside.
-static void put_field(FILE *out, const char *text) {
-    if (!strpbrk(text, "\",\r\n")) {
-        fputs(text, out);
-        return;
-    }
-    fputc('"', out);
-    for (; *text; text++) {
-        if (*text == '"')
-            fputc('"', out);
-        fputc(*text, out);
-    }
-    fputc('"', out);
+// A data file begins with what it is, and with the settings that were noted so far.
+static bl_file begin_csv(bl_run *run, const char *name, const char *what) {
+    const bl_figure *figure = run->result.figure;
+    bl_file file;
+    bl_run_must(run, bl_output_create(run->result.folder, name, "csv", &file, run->message));
+    fprintf(file.stream, "# %s\n# bandlimit %s, figure %s (%s), size %s, seed %llu\n", what,
+            BL_VERSION, figure->name, figure->paper, bl_size_word(run->settings->size),
+            (unsigned long long)run->settings->seed);
+    for (size_t i = 0; i < run->note_count; i++)
+        fprintf(file.stream, "# %s: %s\n", run->notes[i].name, run->notes[i].text);
+    return file;
+}
+
+static void end_csv(bl_run *run, const char *name, bl_file *file) {
+    bl_run_must(run, bl_file_commit(file, run->message));
+    add_file(run, name, "csv");
 }
 
 static void put_cell(FILE *out, const bl_column *column, size_t row) {
     if (column->words)
-        put_field(out, column->words[row]);
+        bl_csv_word(out, column->words[row]);
     else if (!isnan(column->values[row]))
-        fprintf(out, "%.9g", column->values[row]);
-}
-
-static void put_table(FILE *out, const bl_run *run, const char *what, const bl_column *columns,
-                      size_t column_count, size_t rows) {
-    const bl_figure *figure = run->result.figure;
-    fprintf(out, "# %s\n# bandlimit %s, figure %s (%s), size %s, seed %llu\n", what, BL_VERSION,
-            figure->name, figure->paper, bl_size_word(run->settings->size),
-            (unsigned long long)run->settings->seed);
-    for (size_t i = 0; i < run->note_count; i++)
-        fprintf(out, "# %s: %s\n", run->notes[i].name, run->notes[i].text);
-    for (size_t c = 0; c < column_count; c++) {
-        fputs(c ? "," : "", out);
-        put_field(out, columns[c].name);
-    }
-    fputc('\n', out);
-    for (size_t row = 0; row < rows; row++)
-        for (size_t c = 0; c < column_count; c++) {
-            put_cell(out, &columns[c], row);
-            fputc(c + 1 < column_count ? ',' : '\n', out);
-        }
+        fprintf(out, "%.9g", column->values[row]); // infinity too: a band may be open
 }
 
 void bl_run_csv(bl_run *run, const char *name, const char *what, const bl_column *columns,
                 size_t column_count, size_t rows) {
-    bl_file file;
-    bl_run_must(run, bl_output_create(run->result.folder, name, "csv", &file, run->message));
-    put_table(file.stream, run, what, columns, column_count, rows);
-    bl_run_must(run, bl_file_commit(&file, run->message));
-    add_file(run, name, "csv");
+    bl_file file = begin_csv(run, name, what);
+    for (size_t c = 0; c < column_count; c++) {
+        fputs(c ? "," : "", file.stream);
+        bl_csv_word(file.stream, columns[c].name);
+    }
+    fputc('\n', file.stream);
+    for (size_t row = 0; row < rows; row++)
+        for (size_t c = 0; c < column_count; c++) {
+            put_cell(file.stream, &columns[c], row);
+            fputc(c + 1 < column_count ? ',' : '\n', file.stream);
+        }
+    end_csv(run, name, &file);
+}
+
+void bl_run_table(bl_run *run, const char *name, const char *what, const bl_table *table) {
+    bl_file file = begin_csv(run, name, what);
+    bl_table_csv(table, file.stream);
+    end_csv(run, name, &file);
 }
 
 // What the page tells of a plot: its texts, and its legend.

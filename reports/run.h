@@ -22,6 +22,7 @@
 
 #include "core/image.h"
 #include "core/status.h"
+#include "core/table.h"
 #include "reports/claim.h"
 #include "reports/figure.h"
 #include "reports/plot.h"
@@ -75,6 +76,10 @@ typedef struct bl_column {
 // have 9 significant digits; NaN is an empty field.
 void bl_run_csv(bl_run *run, const char *name, const char *what, const bl_column *columns,
                 size_t column_count, size_t rows);
+
+// The same of a table of structs, whose fields say where its numbers and words stand, and which of
+// them have limits (core/table.h).
+void bl_run_table(bl_run *run, const char *name, const char *what, const bl_table *table);
 
 // Writes NAME.gp and lets gnuplot make NAME.svg and NAME.png of it (and NAME.pdf on request). A plot
 // without a title answers the question of the figure. `alternative` says in words what it shows, for

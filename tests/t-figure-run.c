@@ -9,6 +9,7 @@
 
 #include "reports/figures/gallery.h"
 #include "reports/measure.h"
+#include "reports/reproduce.h"
 
 static int released[8], release_count; // the things that were, in their order
 static int things[8] = {0, 1, 2, 3, 4, 5, 6, 7};

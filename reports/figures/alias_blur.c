@@ -121,40 +121,49 @@ static const bl_alias_result *measure(bl_run *run, int n) {
 
 // --- the plot of alias against blur --------------------------------------------------------------
 
+typedef struct entry {
+    const char *method, *word;
+    bl_estimate alias;
+    double blur, mse, samples, of_kind[KINDS], alias_db, blur_db;
+} entry;
+
+#define AT(kind, member) NULL, BL_CELL_##kind, .offset = offsetof(entry, member)
+static const bl_field fields[] = {{"filter", AT(WORD, method)},
+                                  {"word", AT(WORD, word)},
+                                  {"blur", AT(REAL, blur)},
+                                  {"alias", AT(ESTIMATE, alias)},
+                                  {"mse", AT(REAL, mse)},
+                                  {"samples_a_pixel", AT(REAL, samples)},
+                                  {"own_db", AT(REAL, of_kind[OWN])},
+                                  {"point_db", AT(REAL, of_kind[POINT])},
+                                  {"regular_db", AT(REAL, of_kind[REGULAR])},
+                                  {"random_db", AT(REAL, of_kind[RANDOM])},
+                                  {"alias_db", AT(REAL, alias_db)},
+                                  {"blur_db", AT(REAL, blur_db)},
+                                  {0}};
+#undef AT
+
 static void write_rows(bl_run *run, const subject *s, const bl_alias_result *m) {
-    enum { BLUR, ALIAS, ALIAS_LOWER, ALIAS_UPPER, MSE, SAMPLES, COLUMNS };
-    static const char *const names[] = {"blur",        "alias", "alias_lower",
-                                        "alias_upper", "mse",   "samples_a_pixel"};
-    const char *words[METHODS_MOST], *methods[METHODS_MOST];
-    double values[COLUMNS][METHODS_MOST], drawn[KINDS + 2][METHODS_MOST];
+    entry rows[METHODS_MOST];
     const double unit = row_of(s, m, "point")->alias.value;
     for (size_t i = 0; i < way_count(s); i++) {
-        const bl_alias_row *row = &m->rows[i];
-        words[i] = s->ways[i].word;
-        methods[i] = row->method;
-        values[BLUR][i] = row->blur.value;
-        values[ALIAS][i] = row->alias.value;
-        values[ALIAS_LOWER][i] = row->alias.lower;
-        values[ALIAS_UPPER][i] = row->alias.upper;
-        values[MSE][i] = row->mse.value;
-        values[SAMPLES][i] = row->samples;
-        drawn[KINDS][i] = fmax(10 * log10(row->alias.value / unit), LEAST_ALIAS);
-        drawn[KINDS + 1][i] = fmax(10 * log10(row->blur.value / unit), LEAST_BLUR);
-        for (int k = 0; k < KINDS; k++)
-            drawn[k][i] = s->ways[i].kind == k ? drawn[KINDS][i] : NAN;
+        const bl_alias_row *r = &m->rows[i];
+        rows[i] = (entry){r->method,
+                          s->ways[i].word,
+                          r->alias,
+                          r->blur.value,
+                          r->mse.value,
+                          r->samples,
+                          {NAN, NAN, NAN, NAN},
+                          fmax(10 * log10(r->alias.value / unit), LEAST_ALIAS),
+                          fmax(10 * log10(r->blur.value / unit), LEAST_BLUR)};
+        rows[i].of_kind[s->ways[i].kind] = rows[i].alias_db;
     }
-    bl_column columns[4 + COLUMNS + KINDS] = {{"filter", NULL, methods}, {"word", NULL, words}};
-    size_t count = 2;
-    for (int c = 0; c < COLUMNS; c++)
-        columns[count++] = (bl_column){names[c], values[c], NULL};
-    for (int k = 0; k < KINDS; k++)
-        columns[count++] = (bl_column){kind_names[k], drawn[k], NULL};
-    columns[count++] = (bl_column){"alias_db", drawn[KINDS], NULL};
-    columns[count++] = (bl_column){"blur_db", drawn[KINDS + 1], NULL};
-    bl_run_csv(
-        run, s->key,
-        "alias and blur of each method, squares of the value, and dB of the alias of point samples",
-        columns, count, way_count(s));
+    const bl_table table = {fields, rows, way_count(s), sizeof *rows, .level = 0.95};
+    bl_run_table(run, s->key,
+                 "alias and blur of each method, squares of the value, and dB of the alias of "
+                 "point samples",
+                 &table);
 }
 
 static void draw_rows(bl_run *run) {

@@ -108,34 +108,34 @@ static const bl_figure slices_figure = {
 
 // --- the power spectrum -------------------------------------------------------------------------
 
+typedef struct shares {
+    const char *signal;
+    bl_estimate low, middle, high, beyond;
+} shares;
+
+#define AT(member) NULL, BL_CELL_ESTIMATE, .offset = offsetof(shares, member)
+static const bl_field share_fields[] = {
+    {"signal", NULL, BL_CELL_WORD, .offset = offsetof(shares, signal)},
+    {"below_0.3", AT(low)},
+    {"in_0.3_0.7", AT(middle)},
+    {"in_0.7_1", AT(high)},
+    {"above_1", AT(beyond)},
+    {0}};
+#undef AT
+
 static void write_shares(bl_run *run, const bl_gallery *gallery,
                          const bl_gallery_spectra *spectra) {
-    static const struct {
-        const char *name, *lower, *upper;
-        double from, to;
-    } bands[] = {{"below_0.3", "below_0.3_lower", "below_0.3_upper", 0, 0.3},
-                 {"in_0.3_0.7", "in_0.3_0.7_lower", "in_0.3_0.7_upper", 0.3, 0.7},
-                 {"in_0.7_1", "in_0.7_1_lower", "in_0.7_1_upper", 0.7, 1},
-                 {"above_1", "above_1_lower", "above_1_upper", 1, INFINITY}};
-    enum { BANDS = sizeof bands / sizeof *bands };
-    double *table = bl_run_memory(run, 3 * BANDS * gallery->count, sizeof *table);
-    bl_column columns[1 + 3 * BANDS] = {{.name = "signal", .words = gallery->label}};
-    for (size_t b = 0; b < BANDS; b++) {
-        double *rows = table + 3 * b * gallery->count;
-        for (size_t i = 0; i < gallery->count; i++) {
-            bl_estimate share = {NAN, NAN, NAN, NAN, 0};
-            if (spectra->psd[i])
-                share = bl_psd_share(spectra->psd[i], bands[b].from, bands[b].to);
-            rows[i] = share.value;
-            rows[gallery->count + i] = share.lower;
-            rows[2 * gallery->count + i] = share.upper;
-        }
-        columns[3 * b + 1] = (bl_column){bands[b].name, rows, NULL};
-        columns[3 * b + 2] = (bl_column){bands[b].lower, rows + gallery->count, NULL};
-        columns[3 * b + 3] = (bl_column){bands[b].upper, rows + 2 * gallery->count, NULL};
+    static const bl_estimate none = {NAN, NAN, NAN, NAN, 0};
+    shares *rows = bl_run_memory(run, gallery->count, sizeof *rows);
+    for (size_t i = 0; i < gallery->count; i++) {
+        const bl_psd *psd = spectra->psd[i];
+        rows[i] = (shares){gallery->label[i], psd ? bl_psd_share(psd, 0, 0.3) : none,
+                           psd ? bl_psd_share(psd, 0.3, 0.7) : none,
+                           psd ? bl_psd_share(psd, 0.7, 1) : none,
+                           psd ? bl_psd_share(psd, 1, INFINITY) : none};
     }
-    bl_run_csv(run, "shares", "shares of the variance along a line, by band", columns,
-               1 + 3 * BANDS, gallery->count);
+    const bl_table table = {share_fields, rows, gallery->count, sizeof *rows, .level = 0.95};
+    bl_run_table(run, "shares", "shares of the variance along a line, by band", &table);
 }
 
 static void run_line_spectra(bl_run *run, const bl_gallery *gallery) {

@@ -4,7 +4,6 @@
 // table of a radial kernel, the precision of a noise, the kernel of a filtered step, and a power
 // against Schlick's form. The measurements are those of the verb `trade`.
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "score/trade.h"
@@ -13,8 +12,6 @@
 #include "reports/figures/estimates.h"
 #include "reports/measure.h"
 #include "reports/trade_files.h"
-
-enum { MOST = 16 };
 
 typedef struct choice {
     const char *trade, *subject, *alternative;
@@ -123,41 +120,32 @@ static const choice choices[] = {
 
 // --- the figure ---------------------------------------------------------------------------------
 
-static void write_table(bl_run *run, const char *name, const bl_alternatives *all,
-                        const size_t *order, size_t count) {
-    const char *words[MOST];
-    double columns[8][MOST];
-    for (size_t i = 0; i < count; i++) {
-        const bl_alternative *a = &all->list[order[i]];
-        const double numbers[8] = {
-            a->error.value, a->error.lower, a->error.upper, a->largest,
-            a->ns,          a->ns_lowest,   a->ns_highest,  bl_trade_log_error(a)};
-        words[i] = a->name;
-        for (int c = 0; c < 8; c++)
-            columns[c][i] = numbers[c];
-    }
-    const bl_column table[] = {{.name = "alternative", .words = words},
-                               {.name = "error", .values = columns[0]},
-                               {.name = "error_lower", .values = columns[1]},
-                               {.name = "error_upper", .values = columns[2]},
-                               {.name = "largest_error", .values = columns[3]},
-                               {.name = "ns_per_sample", .values = columns[4]},
-                               {.name = "ns_per_sample_lower", .values = columns[5]},
-                               {.name = "ns_per_sample_upper", .values = columns[6]},
-                               {.name = "log10_error", .values = columns[7]}};
-    bl_run_csv(run, name, "cost against error of the alternatives", table, 9, count);
+static void find_log_error(const bl_table *table, size_t row, bl_cell *cell) {
+    cell->value = bl_trade_log_error((const bl_alternative *)table->rows + row);
 }
+
+#define AT(member) .offset = offsetof(bl_alternative, member)
+static const bl_field fields[] = {{"alternative", NULL, BL_CELL_WORD, AT(name)},
+                                  {"error", NULL, BL_CELL_ESTIMATE, AT(error)},
+                                  {"largest_error", NULL, BL_CELL_REAL, AT(largest)},
+                                  {"ns_per_sample", NULL, BL_CELL_ESTIMATE, AT(ns)},
+                                  {"log10_error", NULL, BL_CELL_REAL, .find = find_log_error},
+                                  {0}};
+#undef AT
 
 static void draw(bl_run *run, const choice *made, const bl_trade *trade,
                  const bl_alternatives *all) {
-    size_t every[MOST], front[MOST], count = all->count < MOST ? all->count : MOST;
+    static const char what[] = "cost against error of the alternatives";
+    size_t *order = bl_run_memory(run, all->count, sizeof *order);
+    bl_alternative *front = bl_run_memory(run, all->count, sizeof *front);
+    bl_table table = {fields, all->list, all->count, sizeof *all->list, .level = 0.95};
     bl_trade_plot plot;
-    char name[96];
-    for (size_t i = 0; i < count; i++)
-        every[i] = i;
-    snprintf(name, sizeof name, "%s-front", trade->name);
-    write_table(run, trade->name, all, every, count);
-    write_table(run, name, all, front, bl_trade_front(all, front));
+    bl_run_table(run, trade->name, what, &table);
+    table.rows = front;
+    table.count = bl_trade_front(all, order);
+    for (size_t i = 0; i < table.count; i++)
+        front[i] = all->list[order[i]];
+    bl_run_table(run, bl_run_text(run, "%s-front", trade->name), what, &table);
     bl_trade_plot_describe(trade, all, trade->name, &plot);
     bl_run_plot(run, trade->name, &plot.plot, made->alternative);
 }

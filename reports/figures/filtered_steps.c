@@ -103,38 +103,33 @@ static void draw_responses(bl_run *run) {
 
 // --- numbers ------------------------------------------------------------------------------------
 
+typedef struct entry {
+    const char *filter;
+    bl_filter_numbers n;
+    double nyquist_db, lobe_db;
+} entry;
+
+#define AT(member) NULL, BL_CELL_REAL, .offset = offsetof(entry, member)
+static const bl_field fields[] = {{"filter", NULL, BL_CELL_WORD, .offset = offsetof(entry, filter)},
+                                  {"half_power_cycles_per_width", AT(n.half_power)},
+                                  {"nyquist_db", AT(nyquist_db)},
+                                  {"first_zero_cycles_per_width", AT(n.first_zero)},
+                                  {"lobe_cycles_per_width", AT(n.lobe_frequency)},
+                                  {"lobe_db", AT(lobe_db)},
+                                  {"overshoot", AT(n.overshoot)},
+                                  {"overshoot_widths", AT(n.overshoot_at)},
+                                  {"white_alias", AT(n.alias)},
+                                  {"white_blur", AT(n.blur)},
+                                  {0}};
+#undef AT
+
 static void write_numbers(bl_run *run, const bl_filter_numbers *numbers) {
-    double values[9][FILTERS_MOST];
-    const char *words[FILTERS_MOST];
-    size_t count = count_of();
-    for (size_t f = 0; f < count; f++) {
-        const bl_filter_numbers *n = &numbers[f];
-        const double row[9] = {n->half_power,
-                               20 * log10(n->nyquist),
-                               n->first_zero,
-                               n->lobe_frequency,
-                               20 * log10(fabs(n->lobe)),
-                               n->overshoot,
-                               n->overshoot_at,
-                               n->alias,
-                               n->blur};
-        for (int k = 0; k < 9; k++)
-            values[k][f] = row[k];
-        words[f] = bl_filter_at(f)->name;
-    }
-    static const char *const names[9] = {"half_power_cycles_per_width",
-                                         "nyquist_db",
-                                         "first_zero_cycles_per_width",
-                                         "lobe_cycles_per_width",
-                                         "lobe_db",
-                                         "overshoot",
-                                         "overshoot_widths",
-                                         "white_alias",
-                                         "white_blur"};
-    bl_column columns[10] = {{"filter", NULL, words}};
-    for (int k = 0; k < 9; k++)
-        columns[1 + k] = (bl_column){names[k], values[k], NULL};
-    bl_run_csv(run, "numbers", "responses and steps in numbers", columns, 10, count);
+    entry rows[FILTERS_MOST];
+    for (size_t f = 0; f < count_of(); f++)
+        rows[f] = (entry){bl_filter_at(f)->name, numbers[f], 20 * log10(numbers[f].nyquist),
+                          20 * log10(fabs(numbers[f].lobe))};
+    const bl_table table = {fields, rows, count_of(), sizeof *rows, .level = 0.95};
+    bl_run_table(run, "numbers", "responses and steps in numbers", &table);
 }
 
 // How far a filter is from the ideal one on the spectrum 1/f^2 of a step, in widths: int over all f

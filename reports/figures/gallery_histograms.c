@@ -33,51 +33,32 @@ static void write_histogram(bl_run *run, const bl_gallery *gallery, size_t index
                columns, 5, h->settings.bins);
 }
 
-// The numbers of each histogram, a row a signal.
-enum {
-    MEAN,
-    MEAN_LOW,
-    MEAN_HIGH,
-    VARIANCE,
-    VARIANCE_LOW,
-    VARIANCE_HIGH,
-    SKEWNESS,
-    KURTOSIS,
-    MINIMUM,
-    MAXIMUM,
-    BOUND_LOW,
-    BOUND_HIGH,
-    NUMBERS
-};
-static const char *const number_names[NUMBERS] = {
-    "mean",     "mean_lower", "mean_upper", "variance", "variance_lower", "variance_upper",
-    "skewness", "kurtosis",   "minimum",    "maximum",  "bound_lower",    "bound_upper"};
+// The numbers of a histogram.
+typedef struct numbers {
+    const char *signal;
+    bl_estimate mean, variance;
+    double skewness, kurtosis, minimum, maximum, bound_lower, bound_upper;
+} numbers;
 
-static void fill_numbers(const bl_signal *signal, const bl_histogram *h, double *table, size_t rows,
-                         size_t row) {
-    const double numbers[NUMBERS] = {h->mean.value,
-                                     h->mean.lower,
-                                     h->mean.upper,
-                                     h->variance.value,
-                                     h->variance.lower,
-                                     h->variance.upper,
-                                     bl_moments_skewness(&h->moments),
-                                     bl_moments_kurtosis(&h->moments),
-                                     h->minimum,
-                                     h->maximum,
-                                     signal->facts.lower,
-                                     signal->facts.upper};
-    for (size_t k = 0; k < NUMBERS; k++)
-        table[k * rows + row] = numbers[k];
-}
+#define AT(kind, member) NULL, BL_CELL_##kind, .offset = offsetof(numbers, member)
+static const bl_field fields[] = {
+    {"signal", AT(WORD, signal)},           {"mean", AT(ESTIMATE, mean)},
+    {"variance", AT(ESTIMATE, variance)},   {"skewness", AT(REAL, skewness)},
+    {"kurtosis", AT(REAL, kurtosis)},       {"minimum", AT(REAL, minimum)},
+    {"maximum", AT(REAL, maximum)},         {"bound_lower", AT(REAL, bound_lower)},
+    {"bound_upper", AT(REAL, bound_upper)}, {0}};
+#undef AT
 
-static void write_table(bl_run *run, const bl_gallery *gallery, const double *table) {
-    bl_column columns[1 + NUMBERS];
-    columns[0] = (bl_column){.name = "signal", .words = gallery->label};
-    for (size_t k = 0; k < NUMBERS; k++)
-        columns[k + 1] = (bl_column){number_names[k], table + k * gallery->count, NULL};
-    bl_run_csv(run, "histograms", "moments and range of the values, with the bounds stated",
-               columns, 1 + NUMBERS, gallery->count);
+static numbers numbers_of(const bl_signal *signal, const char *label, const bl_histogram *h) {
+    return (numbers){label,
+                     h->mean,
+                     h->variance,
+                     bl_moments_skewness(&h->moments),
+                     bl_moments_kurtosis(&h->moments),
+                     h->minimum,
+                     h->maximum,
+                     signal->facts.lower,
+                     signal->facts.upper};
 }
 
 // Draws those whose values vary.
@@ -123,12 +104,13 @@ void bl_gallery_draw_histograms(bl_run *run, const bl_gallery *gallery, size_t s
     settings.bins = BINS;
     bl_run_setting(run, "samples of the histograms",
                    bl_run_text(run, "%zu places, %d bins", samples, BINS));
-    double highest = 0, *table = bl_run_memory(run, NUMBERS * gallery->count, sizeof *table);
+    double highest = 0;
+    numbers *rows = bl_run_memory(run, gallery->count, sizeof *rows);
     int *varies = bl_run_memory(run, gallery->count, sizeof *varies);
     for (size_t i = 0; i < gallery->count; i++) {
         bl_run_step(run, bl_run_text(run, "histogram of %s", gallery->key[i]));
         const bl_histogram *h = bl_run_histogram(run, gallery->signal[i], &settings);
-        fill_numbers(gallery->signal[i], h, table, gallery->count, i);
+        rows[i] = numbers_of(gallery->signal[i], gallery->label[i], h);
         varies[i] = h->minimum < h->maximum;
         if (varies[i])
             write_histogram(run, gallery, i, h, &highest);
@@ -136,6 +118,8 @@ void bl_gallery_draw_histograms(bl_run *run, const bl_gallery *gallery, size_t s
             bl_run_setting(run, bl_run_text(run, "no histogram of %s", gallery->label[i]),
                            bl_run_text(run, "it is constant: %.9g", h->minimum));
     }
-    write_table(run, gallery, table);
+    const bl_table table = {fields, rows, gallery->count, sizeof *rows, .level = 0.95};
+    bl_run_table(run, "histograms", "moments and range of the values, with the bounds stated",
+                 &table);
     plot_histograms(run, gallery, varies, title, alternative, highest);
 }

@@ -6,7 +6,7 @@
 
 #include "core/random.h"
 
-enum { PHASES = BL_CONTRAST_PHASES, LATTICE_SPAN = 100000 };
+enum { PHASES = 8, LATTICE_SPAN = 100000 }; // places along each side of the cell
 
 // The mean square at each place of the cell over `cells` random cells; the noises have mean zero.
 static void square_by_phase(const bl_signal *signal, bl_random *random, int on_plane, size_t cells,
@@ -41,13 +41,34 @@ static double contrast_of(const double a[PHASES * PHASES], const double b[PHASES
     return product / (mean_a * mean_b);
 }
 
-void bl_lattice_contrast(const bl_signal *signal, int on_plane, size_t cells, size_t repeats,
-                         uint64_t seed, double *out) {
+void bl_contrasts_measure(bl_run *run, const bl_gallery *gallery, size_t cells, const char *cell,
+                          bl_contrasts *contrasts) {
     double a[PHASES * PHASES], b[PHASES * PHASES];
-    for (size_t r = 0; r < repeats; r++) {
-        bl_random random = bl_random_seed(seed, 40960 + r);
-        square_by_phase(signal, &random, on_plane, cells, a);
-        square_by_phase(signal, &random, on_plane, cells, b);
-        out[r] = contrast_of(a, b);
-    }
+    contrasts->repeats = (size_t)bl_run_pick(run, 16, 32, BL_CONTRAST_REPEATS);
+    bl_run_setting(run, "lattice contrast",
+                   bl_run_text(run, "%d x %d places in %s, %zu pairs of %zu random cells", PHASES,
+                               PHASES, cell, contrasts->repeats, cells));
+    for (int on_plane = 0; on_plane < 2; on_plane++)
+        for (size_t i = 0; i < gallery->count; i++) {
+            bl_run_step(run, bl_run_text(run, "lattice contrast of %s", gallery->key[i]));
+            for (size_t r = 0; r < contrasts->repeats; r++) {
+                bl_random random = bl_random_seed(bl_run_settings(run)->seed, 40960 + r);
+                square_by_phase(gallery->signal[i], &random, on_plane, cells, a);
+                square_by_phase(gallery->signal[i], &random, on_plane, cells, b);
+                contrasts->values[on_plane][i][r] = contrast_of(a, b);
+            }
+        }
+}
+
+bl_estimate bl_contrast_of(const bl_contrasts *contrasts, int on_plane, int signal) {
+    return bl_mean_estimate(contrasts->values[on_plane][signal], contrasts->repeats, 0.95);
+}
+
+bl_estimate bl_contrast_difference(const bl_contrasts *contrasts, int on_plane, int one,
+                                   int other) {
+    const double(*values)[BL_CONTRAST_REPEATS] = contrasts->values[on_plane];
+    double difference[BL_CONTRAST_REPEATS];
+    for (size_t r = 0; r < contrasts->repeats; r++)
+        difference[r] = values[one][r] - values[other][r];
+    return bl_mean_estimate(difference, contrasts->repeats, 0.95);
 }

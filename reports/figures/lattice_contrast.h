@@ -9,16 +9,23 @@
 #ifndef BL_REPORTS_FIGURES_LATTICE_CONTRAST_H
 #define BL_REPORTS_FIGURES_LATTICE_CONTRAST_H
 
-#include <stddef.h>
-#include <stdint.h>
+#include "reports/figures/gallery.h"
 
-#include "core/signal.h"
+enum { BL_CONTRAST_REPEATS = 64, BL_CONTRAST_SIGNALS = 6 }; // at most
 
-enum { BL_CONTRAST_PHASES = 8 }; // places along each side of the cell
+// Independent estimates of each signal, each from two sets of random cells, of slices parallel to
+// the xy plane: [0] at random heights, [1] on a plane of the lattice.
+typedef struct bl_contrasts {
+    size_t repeats;
+    double values[2][BL_CONTRAST_SIGNALS][BL_CONTRAST_REPEATS];
+} bl_contrasts;
 
-// Fills `repeats` independent estimates, each from two sets of `cells` random cells, of slices
-// parallel to the xy plane: on a plane of the lattice, or at random heights.
-void bl_lattice_contrast(const bl_signal *signal, int on_plane, size_t cells, size_t repeats,
-                         uint64_t seed, double *out);
+// Measures all signals of a gallery and notes the settings; `cell` says what the cell is.
+void bl_contrasts_measure(bl_run *run, const bl_gallery *gallery, size_t cells, const char *cell,
+                          bl_contrasts *contrasts);
+
+bl_estimate bl_contrast_of(const bl_contrasts *contrasts, int on_plane, int signal);
+// Of one signal minus that of another, by pairs.
+bl_estimate bl_contrast_difference(const bl_contrasts *contrasts, int on_plane, int one, int other);
 
 #endif

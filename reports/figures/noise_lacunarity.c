@@ -20,78 +20,51 @@ static const char *const texts[SUMS] = {
     "fbm:octaves=5,lacunarity=2", "fbm:octaves=5,lacunarity=2.17",
     "fbm:octaves=5,lacunarity=2,rotate=random", "fbm:octaves=5,lacunarity=2,shift=random"};
 
-typedef struct contrasts {
-    double *values[2][SUMS], *difference;
-    size_t repeats;
-} contrasts;
-
 static const char *const places[2] = {"slices at random heights", "slices on a lattice plane"};
 
-static bl_estimate difference(const contrasts *c, int on_plane, int one, int other) {
-    for (size_t r = 0; r < c->repeats; r++)
-        c->difference[r] = c->values[on_plane][one][r] - c->values[on_plane][other][r];
-    return bl_mean_estimate(c->difference, c->repeats, 0.95);
-}
-
-static void claim_contrasts(bl_run *run, const contrasts *c) {
+static void claim_contrasts(bl_run *run, const bl_contrasts *c) {
     for (int p = 0; p < 2; p++)
         bl_make_claim(run, section,
                       "A ratio of 2.17 reduces the artifacts of the lattice, because the lattice "
                       "points of the octaves no longer coincide: the lattice contrast with the "
                       "ratio 2 minus that with 2.17.",
-                      places[p], "", 0, INFINITY, difference(c, p, TWO, OTHER),
+                      places[p], "", 0, INFINITY, bl_contrast_difference(c, p, TWO, OTHER),
                       "pairs of sets of cells");
     for (int p = 0; p < 2; p++)
         bl_make_claim(run, section,
                       "Octaves turned at random reduce the artifacts of the lattice (Worley): the "
                       "lattice contrast without minus that with turning.",
-                      places[p], "", 0, INFINITY, difference(c, p, TWO, TURNED),
+                      places[p], "", 0, INFINITY, bl_contrast_difference(c, p, TWO, TURNED),
                       "pairs of sets of cells");
     // Between the planes a shift moves the pattern of an octave and does not lessen it.
     bl_make_claim(run, "bandlimit",
                   "Octaves shifted at random no longer vanish at the same points: the lattice "
                   "contrast without minus that with shifting.",
-                  places[1], "", 0, INFINITY, difference(c, 1, TWO, SHIFTED),
+                  places[1], "", 0, INFINITY, bl_contrast_difference(c, 1, TWO, SHIFTED),
                   "pairs of sets of cells");
 }
 
-static void write_contrasts(bl_run *run, const bl_gallery *gallery, const contrasts *c) {
-    double table[2][3][SUMS];
-    bl_column columns[7] = {{.name = "signal", .words = gallery->label}};
-    static const char *const names[2][3] = {
-        {"contrast", "contrast_lower", "contrast_upper"},
-        {"contrast_on_plane", "contrast_on_plane_lower", "contrast_on_plane_upper"}};
-    for (int p = 0; p < 2; p++)
-        for (int i = 0; i < SUMS; i++) {
-            bl_estimate e = bl_mean_estimate(c->values[p][i], c->repeats, 0.95);
-            table[p][0][i] = e.value;
-            table[p][1][i] = e.lower;
-            table[p][2][i] = e.upper;
-            for (int k = 0; k < 3; k++)
-                columns[1 + 3 * p + k] = (bl_column){names[p][k], table[p][k], NULL};
-        }
-    bl_run_csv(run, "contrasts", "lattice contrast, with 95 % intervals", columns, 7, SUMS);
-}
+typedef struct entry {
+    const char *signal;
+    bl_estimate between, on_plane;
+} entry;
+
+static const bl_field fields[] = {
+    {"signal", NULL, BL_CELL_WORD, .offset = offsetof(entry, signal)},
+    {"contrast", NULL, BL_CELL_ESTIMATE, .offset = offsetof(entry, between)},
+    {"contrast_on_plane", NULL, BL_CELL_ESTIMATE, .offset = offsetof(entry, on_plane)},
+    {0}};
 
 static void measure_contrasts(bl_run *run, const bl_gallery *gallery) {
-    contrasts c = {.repeats = (size_t)bl_run_pick(run, 16, 32, 64)};
-    size_t cells = (size_t)bl_run_pick(run, 256, 2000, 20000);
-    double *all = bl_run_memory(run, c.repeats * (2 * SUMS + 1), sizeof *all);
-    c.difference = all + 2 * SUMS * c.repeats;
-    bl_run_setting(
-        run, "lattice contrast",
-        bl_run_text(
-            run, "%d x %d places in the cell of the lowest octave, %zu pairs of %zu random cells",
-            BL_CONTRAST_PHASES, BL_CONTRAST_PHASES, c.repeats, cells));
-    for (int p = 0; p < 2; p++)
-        for (int i = 0; i < SUMS; i++) {
-            bl_run_step(run, bl_run_text(run, "lattice contrast, %s", places[p]));
-            c.values[p][i] = all + (size_t)(p * SUMS + i) * c.repeats;
-            bl_lattice_contrast(gallery->signal[i], p, cells, c.repeats, bl_run_settings(run)->seed,
-                                c.values[p][i]);
-        }
+    bl_contrasts c;
+    entry rows[SUMS];
+    bl_contrasts_measure(run, gallery, (size_t)bl_run_pick(run, 256, 2000, 20000),
+                         "the cell of the lowest octave", &c);
     claim_contrasts(run, &c);
-    write_contrasts(run, gallery, &c);
+    for (int i = 0; i < SUMS; i++)
+        rows[i] = (entry){gallery->label[i], bl_contrast_of(&c, 0, i), bl_contrast_of(&c, 1, i)};
+    const bl_table table = {fields, rows, SUMS, sizeof *rows, .level = 0.95};
+    bl_run_table(run, "contrasts", "lattice contrast, with 95 % intervals", &table);
 }
 
 // --- the deviation along a lattice line ---------------------------------------------------------

@@ -19,13 +19,6 @@ static const char pairs[] = "pairs of sets of cells";
 
 // --- lattice contrast ---------------------------------------------------------------------------
 
-// The contrasts of all noises between the planes and on them, `repeats` each.
-typedef struct contrasts {
-    size_t repeats;
-    double *values[2][BL_SIX], *difference;
-    double limit; // on the size of the contrast of a stationary noise
-} contrasts;
-
 // The contrast of a stationary noise is a mean of products of two independent deviations. A mean
 // square over n cells has the relative variance (kurtosis - 1) / n; even if all places of a cell
 // strayed together, the standard deviation of one product would be no more than that, and that of
@@ -39,54 +32,27 @@ static double stationary_limit(double repeats, double n) {
 
 static const char *const slice_words[] = {"slice at random places", "slice on a lattice plane"};
 
-static bl_estimate contrast_difference(const contrasts *c, int on_plane, int one, int other) {
-    for (size_t r = 0; r < c->repeats; r++)
-        c->difference[r] = c->values[on_plane][one][r] - c->values[on_plane][other][r];
-    return bl_mean_estimate(c->difference, c->repeats, 0.95);
-}
-
-static void claim_contrasts(bl_run *run, const contrasts *c) {
+// `limit` is that on the size of the contrast of a stationary noise.
+static void claim_contrasts(bl_run *run, const bl_contrasts *c, double limit) {
     for (int p = 0; p < 2; p++)
         bl_make_claim(run, "peachey2003, Value-Gradient Noise",
                       "Value-gradient noise looks less regular than gradient noise: its lattice "
                       "contrast minus that of gnoise.",
                       bl_run_text(run, "vgnoise, %s", slice_words[p]), "", -INFINITY, 0,
-                      contrast_difference(c, p, BL_VGNOISE, BL_GNOISE), pairs);
+                      bl_contrast_difference(c, p, BL_VGNOISE, BL_GNOISE), pairs);
     for (int p = 0; p < 2; p++)
         for (int i = 0; i < BL_SCNOISE; i++)
             bl_make_claim(run, text_gridless,
                           "Sparse convolution noise shows fewer gridlike patterns than the others: "
                           "the other's lattice contrast minus that of scnoise.",
                           bl_run_text(run, "against %s, %s", bl_six_names[i], slice_words[p]), "",
-                          0, INFINITY, contrast_difference(c, p, i, BL_SCNOISE), pairs);
+                          0, INFINITY, bl_contrast_difference(c, p, i, BL_SCNOISE), pairs);
     for (int p = 0; p < 2; p++)
         bl_make_claim(
             run, "bandlimit",
             "Impulses at uniform places make scnoise stationary: its lattice contrast is 0.",
-            bl_run_text(run, "scnoise, %s", slice_words[p]), "", -c->limit, c->limit,
-            bl_mean_estimate(c->values[p][BL_SCNOISE], c->repeats, 0.95), pairs);
-}
-
-static void claim_contrast(bl_run *run, const bl_gallery *six, double between[BL_SIX],
-                           double on_plane[BL_SIX]) {
-    contrasts c = {.repeats = (size_t)bl_run_pick(run, 16, 32, 64)};
-    size_t cells = (size_t)bl_run_pick(run, 128, 1000, 20000);
-    c.limit = stationary_limit((double)c.repeats, (double)cells);
-    bl_run_setting(run, "lattice contrast",
-                   bl_run_text(run, "%d x %d places in the cell, %zu pairs of %zu random cells",
-                               BL_CONTRAST_PHASES, BL_CONTRAST_PHASES, c.repeats, cells));
-    double *all = bl_run_memory(run, c.repeats * (2 * BL_SIX + 1), sizeof *all);
-    c.difference = all + 2 * BL_SIX * c.repeats;
-    for (int p = 0; p < 2; p++) {
-        bl_run_step(run, bl_run_text(run, "lattice contrast, %s", slice_words[p]));
-        for (int i = 0; i < BL_SIX; i++) {
-            double *values = c.values[p][i] = all + (size_t)(p * BL_SIX + i) * c.repeats;
-            bl_lattice_contrast(six->signal[i], p, cells, c.repeats, bl_run_settings(run)->seed,
-                                values);
-            (p ? on_plane : between)[i] = bl_mean_estimate(values, c.repeats, 0.95).value;
-        }
-    }
-    claim_contrasts(run, &c);
+            bl_run_text(run, "scnoise, %s", slice_words[p]), "", -limit, limit,
+            bl_contrast_of(c, p, BL_SCNOISE), pairs);
 }
 
 // --- ring anisotropy ----------------------------------------------------------------------------
@@ -140,8 +106,15 @@ static void claim_anisotropy(bl_run *run, const bl_gallery *six, double *mean) {
 }
 
 void bl_six_patterns_claim(bl_run *run, const bl_gallery *six) {
+    size_t cells = (size_t)bl_run_pick(run, 128, 1000, 20000);
     double between[BL_SIX], on_plane[BL_SIX], anisotropy[BL_SIX];
-    claim_contrast(run, six, between, on_plane);
+    bl_contrasts c;
+    bl_contrasts_measure(run, six, cells, "the cell", &c);
+    for (int i = 0; i < BL_SIX; i++) {
+        between[i] = bl_contrast_of(&c, 0, i).value;
+        on_plane[i] = bl_contrast_of(&c, 1, i).value;
+    }
+    claim_contrasts(run, &c, stationary_limit((double)c.repeats, (double)cells));
     claim_anisotropy(run, six, anisotropy);
     const bl_column columns[] = {{.name = "noise", .words = bl_six_names},
                                  {.name = "lattice_contrast_random_place", .values = between},
