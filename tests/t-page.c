@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "reports/page.h"
+#include "reports/reproduce.h"
 
 static const bl_figure figure = {.name = "example-1",
                                  .title = "An <example>",
