@@ -29,6 +29,8 @@ typedef struct bl_view_kind {
     const char *formula; // from pixels to texture coordinates
     const bl_parameter *parameters;
     size_t parameters_size;
+    // Optional: settings that the tests try besides the defaults, ended by NULL.
+    const char *const *examples;
     // Optional: whether the parameters fit together. Errors: BL_USAGE.
     bl_status (*validate)(const void *parameters, bl_message *message);
     // What is seen at (x, y), in pixels from the upper left corner of an image of this size (a

@@ -52,6 +52,7 @@ typedef struct bl_trade {
     const char *error_name; // "rms error against the exact kernel"
     const char *error_unit; // "of the standard deviation"
     const char *sample;     // what is timed: "a value at a scattered point"
+    const char *subject;    // one that has the choice: the text of a signal, or a bare word
     // Whether the choice exists for this subject: a signal, or NULL with a bare word as "spectrum".
     int (*applies)(const bl_signal *subject, const char *word);
     bl_status (*open)(const bl_signal *subject, const bl_trade_settings *settings,

@@ -35,8 +35,9 @@ if [ "$status" -ne 0 ] || [ "$failed" -gt 0 ]; then
     rm "$log.repeat"
     printf '%-28s FAILED (%s passed, %s failed, exit %s)\n' "$name" "$passed" "$failed" "$status"
     sed '/^repeat: /!s/^/    /' "$log"
-elif [ "$skipped" -gt 0 ]; then
-    printf '%-28s %s passed, %s skipped\n' "$name" "$passed" "$skipped"
-elif [ "$passed" -gt 0 ]; then
-    printf '%-28s %s passed\n' "$name" "$passed"
+elif [ "$passed" -gt 0 ] || [ "$skipped" -gt 0 ]; then
+    left=
+    [ "$skipped" -eq 0 ] || left=", $skipped skipped"
+    walked=$(sed -n 's/^# SCALE below 1: /; /p' "$log") # what a walk left out
+    printf '%-28s %s passed%s%s\n' "$name" "$passed" "$left" "$walked"
 fi

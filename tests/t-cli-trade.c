@@ -177,5 +177,5 @@ int main(void) {
         cmocka_unit_test(test_advise_agrees_with_its_exit_status),
         cmocka_unit_test(test_advise_says_what_to_use_and_what_is_not_needed),
     };
-    return cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_set_filter(), cmocka_run_group_tests(tests, NULL, bl_remove_folder);
 }

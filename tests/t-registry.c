@@ -19,7 +19,7 @@ static void test_every_descriptor_is_complete(void **state) {
         assert_true(noise->name && noise->title && noise->summary && noise->formula);
         assert_non_null(noise->paper);
         assert_true(noise->dimensions >= 1 && noise->dimensions <= 4);
-        assert_true(noise->functions.row && noise->functions.points && noise->functions.value);
+        assert_true(noise->describe && noise->functions.value);
         // A closed form is optional, and so is its other side, where the covariance has no end.
         assert_true(noise->functions.covariance || !noise->functions.density);
         assert_ptr_equal(bl_noise_find(noise->name, BL_ISA_BASELINE), noise);

@@ -53,6 +53,8 @@ static int misbehave(const char *how) {
         return bl_run_tests(skipping);
     if (strcmp(how, "die") == 0)
         return bl_run_tests(dying);
+    if (strcmp(how, "walk") == 0)
+        bl_test_walk(1), bl_test_walk(0), bl_test_walk(0);
     if (strcmp(how, "hang") == 0)
         return bl_run_tests(hanging);
     return bl_run_tests(good);
@@ -134,6 +136,12 @@ static void test_a_skip_is_neither_passed_nor_failed(void **state) {
     assert_int_equal(sum.status, 0);
 }
 
+static void test_what_a_walk_leaves_out_is_said(void **state) {
+    (void)state;
+    said run = run_one("walk", "");
+    assert_non_null(strstr(run.text, " 1 passed; 1 of 3 settings are walked\n"));
+}
+
 // A crash leaves no line of the test it was in, so the whole program is repeated.
 static void test_a_crash_is_a_failure(void **state) {
     (void)state;
@@ -172,6 +180,7 @@ int main(void) {
         cmocka_unit_test(test_a_failure_says_what_it_was_and_last_how_to_repeat_it),
         cmocka_unit_test(test_the_command_repeats_the_failed_test_alone),
         cmocka_unit_test(test_a_skip_is_neither_passed_nor_failed),
+        cmocka_unit_test(test_what_a_walk_leaves_out_is_said),
         cmocka_unit_test(test_a_crash_is_a_failure),
         cmocka_unit_test(test_what_does_not_end_is_stopped_and_has_failed),
         cmocka_unit_test(test_a_word_that_nothing_has_is_a_failure),

@@ -52,7 +52,7 @@ static bl_score_property quick(const bl_signal *signal, const char *name) {
 
 // With SCALE below 1 a walk over signals takes one property of each, the next of the next.
 static int takes(int property, int signal) {
-    return bl_test_scaled(COUNT, 0) >= COUNT || property == signal % COUNT;
+    return bl_test_walk(bl_test_scaled(COUNT, 0) >= COUNT || property == signal % COUNT);
 }
 
 // --- broken noises ------------------------------------------------------------------------------

@@ -24,10 +24,24 @@ static inline size_t bl_test_scaled(size_t count, size_t least) {
     return scaled > (double)least ? (size_t)scaled : least;
 }
 
+// Whether a walk takes this one of all that it could; what it leaves out is said at the end.
+static size_t bl_test_taken, bl_test_left_out;
+
+static inline int bl_test_walk(int takes) {
+    *(takes ? &bl_test_taken : &bl_test_left_out) += 1;
+    return takes;
+}
+
+__attribute__((destructor)) static void bl_test_say_walk(void) {
+    if (bl_test_left_out)
+        printf("# SCALE below 1: %zu of %zu settings are walked\n", bl_test_taken,
+               bl_test_taken + bl_test_left_out);
+}
+
 // Whether a walk over all settings takes this one: with SCALE below 1 every sixteenth, and the
 // defaults of each noise. For tests whose settings do not share random numbers.
 static inline int bl_test_takes(size_t index, const char *text) {
-    return bl_test_scaled(8, 0) >= 8 || index % 16 == 0 || !strchr(text, ':');
+    return bl_test_walk(bl_test_scaled(8, 0) >= 8 || index % 16 == 0 || !strchr(text, ':'));
 }
 
 // A stream of random numbers for a text: it stays when another noise is registered.

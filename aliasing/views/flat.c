@@ -53,11 +53,14 @@ static const bl_parameter parameters[] = {
     PLACE(z, "0", "of the slice through a solid texture", -1e15, 1e15),
     {.key = NULL}};
 
+static const char *const examples[] = {"scale=7,rotate=30,x=3,y=-2", NULL};
+
 BL_VIEW_DESCRIPTOR(flat) = {.name = "flat",
                             .title = "straight ahead",
                             .summary = "The texture at any scale, rotation and offset.",
                             .formula = "(s, t) = (x, y) + scale / width * R (pixel - middle)",
                             .parameters = parameters,
                             .parameters_size = sizeof(flat_parameters),
+                            .examples = examples,
                             .see = see,
                             .affine = 1};

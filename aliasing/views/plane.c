@@ -65,10 +65,14 @@ static const bl_parameter parameters[] = {
     REAL(y, "0", "units", -1e12, 1e12, "below the eye"),
     {.key = NULL}};
 
+static const char *const examples[] = {"height=2.5,fov=80,pitch=40,rotate=-35,x=7,y=9", "pitch=90",
+                                       NULL};
+
 BL_VIEW_DESCRIPTOR(plane) = {.name = "plane",
                              .title = "plane in perspective",
                              .summary = "A level plane up to the horizon, the sky above it.",
                              .formula = "(s, t) = height (u, cos p - v sin p) / (sin p + v cos p)",
                              .parameters = parameters,
                              .parameters_size = sizeof(plane_parameters),
+                             .examples = examples,
                              .see = see};

@@ -46,10 +46,14 @@ static const char *const words[] = {"surface", "solid", NULL};
 static const bl_parameter parameters[] = {
     BL_OBJECT_PARAMETERS(sphere_parameters, words, "3", "20", 1.001), {.key = NULL}};
 
+static const char *const examples[] = {"distance=1.5,tilt=-50,turn=70,fov=90",
+                                       "coordinates=solid,scale=3", NULL};
+
 BL_VIEW_DESCRIPTOR(sphere) = {.name = "sphere",
                               .title = "sphere",
                               .summary = "A sphere: longitude and latitude, or a solid signal.",
                               .formula = "(s, t) = scale / (2 pi) (longitude, latitude)",
                               .parameters = parameters,
                               .parameters_size = sizeof(sphere_parameters),
+                              .examples = examples,
                               .see = see};

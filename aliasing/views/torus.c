@@ -103,10 +103,14 @@ static const bl_parameter parameters[] = {
     BL_OBJECT_PARAMETERS(torus_parameters, words, "4", "45", 2),
     {.key = NULL}};
 
+static const char *const examples[] = {"tube=0.7,tilt=80,turn=33,distance=3",
+                                       "coordinates=solid,tilt=10", NULL};
+
 BL_VIEW_DESCRIPTOR(torus) = {.name = "torus",
                              .title = "torus",
                              .summary = "A ring: angles around it, or a solid signal.",
                              .formula = "(s, t) = scale / (2 pi) (around the axis, the tube)",
                              .parameters = parameters,
                              .parameters_size = sizeof(torus_parameters),
+                             .examples = examples,
                              .see = see};

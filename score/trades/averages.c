@@ -112,6 +112,7 @@ BL_TRADE_DESCRIPTOR(averages) = {
     .error_name = "half the 95 % interval of a bin",
     .error_unit = "of the estimate",
     .sample = "a whole estimate",
+    .subject = "spectrum",
     .applies = applies,
     .open = open,
     .close = close_spectra};

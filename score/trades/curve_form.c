@@ -49,6 +49,7 @@ BL_TRADE_DESCRIPTOR(curve_form) = {
     .error_name = "rms difference from the power over [0, 1]",
     .error_unit = "of the range",
     .sample = "a value",
+    .subject = "bias",
     .applies = applies,
     .open = open,
     .close = bl_trade_close_signals};

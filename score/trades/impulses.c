@@ -91,6 +91,7 @@ BL_TRADE_DESCRIPTOR(impulses) = {
     .error_name = "excess kurtosis, its size",
     .error_unit = "0 for the normal limit",
     .sample = "a value at a scattered point",
+    .subject = "scnoise",
     .applies = applies,
     .open = open,
     .close = bl_trade_close_signals};

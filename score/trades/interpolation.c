@@ -68,6 +68,7 @@ BL_TRADE_DESCRIPTOR(interpolation) = {
     .error_name = "power above 1 cycle per cell",
     .error_unit = "of the variance",
     .sample = "a value at a scattered point",
+    .subject = "vnoise",
     .applies = applies,
     .open = open,
     .close = bl_trade_close_signals};

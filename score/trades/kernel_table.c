@@ -75,6 +75,7 @@ BL_TRADE_DESCRIPTOR(kernel_table) = {
     .error_name = "rms error against the exact kernel",
     .error_unit = "standard deviations",
     .sample = "a value at a scattered point",
+    .subject = "vcnoise",
     .applies = applies,
     .open = open,
     .close = bl_trade_close_signals};

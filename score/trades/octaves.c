@@ -108,6 +108,7 @@ BL_TRADE_DESCRIPTOR(octaves) = {.name = "octaves",
                                 .error_name = "variance lost",
                                 .error_unit = "of the variance",
                                 .sample = "a value at a scattered point",
+                                .subject = "fractalsum",
                                 .applies = applies,
                                 .open = open,
                                 .close = bl_trade_close_signals};

@@ -88,6 +88,7 @@ BL_TRADE_DESCRIPTOR(precision) = {.name = "precision",
                                   .error_name = "rms error against the reference in double",
                                   .error_unit = "standard deviations",
                                   .sample = "a value at a scattered point",
+                                  .subject = "gnoise",
                                   .applies = applies,
                                   .open = open,
                                   .close = bl_trade_close_signals};

@@ -113,6 +113,7 @@ BL_TRADE_DESCRIPTOR(step_filter) = {
     .error_name = "energy beyond the Nyquist frequency",
     .error_unit = "of the bare step's",
     .sample = "a value within two widths of the step",
+    .subject = "step",
     .applies = applies,
     .open = open,
     .close = close_steps};

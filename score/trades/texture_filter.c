@@ -80,6 +80,7 @@ BL_TRADE_DESCRIPTOR(texture_filter) = {
     .error_name = "rms error of the image",
     .error_unit = "of full luminance",
     .sample = "a pixel",
+    .subject = "brick",
     .applies = applies,
     .open = open,
     .close = close_nothing};
