@@ -5,7 +5,7 @@
 #   make install    PREFIX=/usr/local LIBDIR=$PREFIX/lib DESTDIR=
 #   make format     clang-format              make docs       the tables of docs/
 #   make asan, ubsan, tsan   the quick tests under a sanitizer; sanitize: the first two at once
-#   make V=1        shows the commands
+#   make recipes    adding a thing is one file and one line; make V=1 shows the commands
 #   make check T=word    only the tests whose name has the word; SCALE=1 repeats as often as CI does
 
 PREFIX ?= /usr/local
@@ -63,7 +63,8 @@ ISA_FLAGS_v4 := -march=x86-64-v4 -mtune=icelake-server -mprefer-vector-width=512
 Q := $(if $(V),,@)
 say = $(if $(V),,@printf '  %-8s %s\n' $(1) $@)
 
-.PHONY: all tests check reproduce bench docs install deps format clean asan ubsan sanitize tsan
+.PHONY: all tests check recipes reproduce bench docs install deps format clean
+.PHONY: asan ubsan sanitize tsan
 .DELETE_ON_ERROR:
 all: $(BUILD)/bandlimit $(BUILD)/bandlimit-images.so $(BUILD)/libbandlimit.a \
     $(BUILD)/libbandlimit.so $(BUILD)/bandlimit.pc
@@ -166,8 +167,13 @@ check: deps
 	@$(MAKE) --no-print-directory -j$(JOBS) --output-sync=target $(LOGS)
 	@T='$(T)' REPEAT='$(REPEAT)' sh tests/summary.sh $(LOGS)
 
-# Sanitized builds stand apart. OpenImageIO 2.4 deletes
-# its texture system by the type of the interface, which the address sanitizer takes for a fault.
+# That adding a thing is one file and one line.
+recipes: deps
+	@$(MAKE) --no-print-directory -j$(JOBS) all
+	@MAKE='$(MAKE) -j$(JOBS)' sh tests/recipes.sh $(BUILD)
+
+# Sanitized builds stand apart. OpenImageIO 2.4 deletes its texture system by the type of the
+# interface, which the address sanitizer takes for a fault.
 SANITIZED = ASAN_OPTIONS=new_delete_type_mismatch=0 $(MAKE) --no-print-directory check \
     BUILD=build/$@ CFLAGS='-O1 -g' CXXFLAGS='-O1 -g' REPEAT='make $@$(AT_SCALE)'
 ADDRESS := -fsanitize=address -fno-omit-frame-pointer

@@ -33,9 +33,8 @@ typedef struct bl_definition {
     // Optional: whether the closed forms (covariance, density) hold for these parameters; NULL
     // means that they always do. Sets bl_signal.closed_form.
     int (*has_closed_form)(const void *parameters);
-    // Optional, of a noise: the plain loops of the text in float, a call a point, with the default
-    // settings and the tables of noises/textbook.h: the yardstick of the benchmark, which without
-    // them is the reference; never used otherwise.
+    // Optional, of a noise: the text's plain loops in float, a call a point, with default settings
+    // and the tables of noises/textbook.h: the benchmark's yardstick; NULL: that is the reference.
     float (*textbook)(float x, float y, float z);
     // Optional: the settings with which the noise is the very field of these loops, up to rounding;
     // NULL: they have the statistics of the noise, and random numbers of their own.

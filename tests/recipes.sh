@@ -27,5 +27,5 @@ logs=
 for program in $programs; do
     logs="$logs build/tests/$program.log"
 done
-${MAKE:-make} --no-print-directory $logs REPEAT="cd $tree && make check"
+${MAKE:-make} --no-print-directory --output-sync=target $logs REPEAT="cd $tree && make check"
 sh tests/summary.sh $logs
