@@ -26,13 +26,10 @@ skipped=$(grep -c '^not ok .*# SKIP' "$log") # so cmocka writes it
 failed=$(($(grep -c '^not ok ' "$log") - skipped))
 if [ "$status" -ne 0 ] || [ "$failed" -gt 0 ]; then
     # A program that died has no failed test to name.
-    if [ "$failed" -gt 0 ]; then
-        sed -n '/# SKIP/d; s/^not ok [0-9]* - //p' "$log"
-    else
-        echo "$name"
-    fi | sed "s/^/repeat: ${REPEAT:-make check} T=/" >"$log.repeat"
-    cat "$log.repeat" >>"$log"
-    rm "$log.repeat"
+    names=$(sed -n '/# SKIP/d; s/^not ok [0-9]* - //p' "$log")
+    for failed_one in ${names:-$name}; do
+        echo "repeat: ${REPEAT:-make check} T=$failed_one" >>"$log"
+    done
     printf '%-28s FAILED (%s passed, %s failed, exit %s)\n' "$name" "$passed" "$failed" "$status"
     sed '/^repeat: /!s/^/    /' "$log"
 elif [ "$passed" -gt 0 ] || [ "$skipped" -gt 0 ]; then
