@@ -4,7 +4,7 @@
 # recipes.sh BUILD: adding a thing is one file and one line. Copies the tree with the objects that
 # BUILD has of it, adds the least thing of each kind (tests/recipes/: each file where it would stand,
 # and `lines`: the file, its registry and the line), edits nothing else, and runs the tests that walk
-# the registries, for the added things alone where a walk can be told to (BL_ONLY).
+# the registries.
 set -eu
 build=$1
 tree=$build/recipes
@@ -21,7 +21,7 @@ while read -r file list line; do
 done <tests/recipes/lines
 
 programs="t-layers t-registry t-facts t-rows t-bounds t-textbook t-filters t-pulse-train t-textures
-    t-view t-alias t-trade t-score t-references t-cli-help"
+    t-view t-alias t-trade t-score t-figures t-cli-help"
 cd "$tree"
 logs=
 for program in $programs; do

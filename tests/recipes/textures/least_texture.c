@@ -11,7 +11,8 @@ typedef struct least_parameters {
 
 static bl_colour see(const least_parameters *p, const double at[BL_AXES],
                      const bl_footprint *footprint) {
-    double half = p->seeing.filter ? M_PI * footprint->width[0] : 0;
+    int is_point = !p->seeing.filter && !bl_footprint_is_whole(footprint, 1);
+    double half = is_point ? 0 : M_PI * footprint->width[0];
     double kept = isinf(half) ? 0 : half > 0 ? sin(half) / half : 1;
     double grey = 0.5 + 0.5 * kept * sin(2 * M_PI * remainder(at[0], 1));
     return (bl_colour){{grey, grey, grey}};

@@ -23,7 +23,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 }
 
 BL_PROPERTY_DESCRIPTOR(least_property) = {.name = "least",
-                                          .title = "off mean",
+                                          .title = "least",
                                           .entry = "how far one value is off the mean",
                                           .question = "Is a value near the mean?",
                                           .measure = measure};
