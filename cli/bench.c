@@ -147,7 +147,7 @@ static void report_text(bl_call *call, const bl_bench *bench) {
 static bl_status write_csv(bl_call *call, const bl_bench *bench) {
     const bench_head head = head_of(bench);
     const bl_table record = BL_RECORD(head_fields, &head), rows = rows_of(bench);
-    return bl_csv_write(call, &record, &rows);
+    return bl_csv_write(call, NULL, &record, &rows);
 }
 
 // The signals named, or the whole registry, with the instruction sets asked for.

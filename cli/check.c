@@ -18,30 +18,39 @@ typedef struct check_settings {
     int claims;
 } check_settings;
 
-static void print_db(FILE *out, const char *name, double db) {
-    fprintf(out, "%-14s ", name);
-    if (isfinite(db))
-        fprintf(out, "%.2f dB of the variance\n", fabs(db) < 0.005 ? 0 : db); // not -0.00
-    else
-        fprintf(out, "%s dB of the variance\n", db < 0 ? "-inf" : "not known");
+static void find_band(const bl_table *table, size_t row, bl_cell *cell) {
+    (void)row;
+    const bl_band_limit *limit = table->rows;
+    snprintf(cell->text, sizeof cell->text, "%g : %g cycles per unit, guard %.3g", limit->from,
+             limit->to, limit->guard);
+    cell->word = cell->text;
 }
+
+// clang-format off
+#define AT(member) .offset = offsetof(bl_band_limit, member)
+#define DB BL_CELL_REAL, .decimals = 2, .unit = "dB of the variance"
+static const bl_field limit_fields[] = {
+    {"band", "band", BL_CELL_WORD, .find = find_band, .forms = BL_IN_TEXT},
+    {"band", NULL, BL_CELL_LIST, AT(from), .length = 2}, // from and to
+    {"guard_cycles_per_unit", NULL, BL_CELL_REAL, AT(guard)},
+    {"leak_db", "leak", DB, AT(leak_db)},
+    {"lower_db", "lower limit", DB, AT(lower_db)},
+    {"upper_db", "upper limit", DB, AT(upper_db)},
+    {"limit_db", "allowed", DB, AT(limit_db)},
+    {"verdict", "verdict", BL_CELL_VERDICT, AT(verdict), .forms = BL_IN_TEXT},
+    {"needed_averages", NULL, BL_CELL_COUNT, AT(needed_averages)},
+    {0}};
+#undef DB
+#undef AT
+// clang-format on
 
 static void report_json(json_t *object, const bl_signal *signal, const bl_psd *psd,
                         const bl_band_limit *limit) {
     bl_json_set_text(object, "verdict", bl_verdict_word(limit->verdict));
     bl_json_set_count(object, "exit_status", (uint64_t)bl_verdict_status(limit->verdict));
-    json_t *band = json_array();
-    json_array_append_new(band, bl_json_number(limit->from));
-    json_array_append_new(band, bl_json_number(limit->to));
-    json_object_set_new(object, "band", band);
-    bl_json_set_number(object, "guard_cycles_per_unit", limit->guard);
-    bl_json_set_number(object, "leak_db", limit->leak_db);
-    bl_json_set_number(object, "lower_db", limit->lower_db);
-    bl_json_set_number(object, "upper_db", limit->upper_db);
-    bl_json_set_number(object, "limit_db", limit->limit_db);
+    bl_record_json(object, &BL_RECORD(limit_fields, limit), 0);
     bl_json_set_text(object, "db_reference",
                      "total variance; null stands for -inf (no leak at all)");
-    bl_json_set_count(object, "needed_averages", limit->needed_averages);
     bl_spectral_json(object, signal, psd);
 }
 
@@ -50,13 +59,10 @@ static void report_text(bl_call *call, const bl_signal *signal, const bl_psd *ps
     FILE *out = call->out;
     const check_settings *settings = call->settings;
     bl_spectral_print(out, &settings->spectral, signal, psd);
-    fprintf(out, "band           %g : %g cycles per unit, guard %.3g\n\n", limit->from, limit->to,
-            limit->guard);
-    print_db(out, "leak", limit->leak_db);
-    print_db(out, "lower limit", limit->lower_db);
-    print_db(out, "upper limit", limit->upper_db);
-    print_db(out, "allowed", limit->limit_db);
-    fprintf(out, "verdict        %s\n", bl_call_verdict(call, limit->verdict));
+    bl_table record = BL_RECORD(limit_fields, limit);
+    record.coloured = bl_call_coloured(call);
+    fputc('\n', out);
+    bl_record_print(&record, out);
     if (limit->verdict == BL_VERDICT_INCONCLUSIVE && limit->needed_averages)
         fprintf(out, "about %zu averages would settle it: --average %zu\n", limit->needed_averages,
                 limit->needed_averages);

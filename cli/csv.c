@@ -14,7 +14,8 @@ bl_status bl_csv_close(bl_call *call, bl_file *file) {
     return file->path ? bl_file_commit(file, &call->message) : BL_OK;
 }
 
-bl_status bl_csv_write(bl_call *call, const bl_table *record, const bl_table *rows) {
+bl_status bl_csv_write(bl_call *call, const char *signal, const bl_table *record,
+                       const bl_table *rows) {
     bl_file file;
     char title[64];
     bl_status status = bl_csv_open(call, &file);
@@ -22,6 +23,8 @@ bl_status bl_csv_write(bl_call *call, const bl_table *record, const bl_table *ro
         return status;
     snprintf(title, sizeof title, "bandlimit %s", call->verb->name);
     bl_csv_comment(file.stream, title, BL_VERSION);
+    if (signal)
+        bl_csv_comment(file.stream, "signal", signal);
     bl_record_csv(record, file.stream);
     bl_table_csv(rows, file.stream);
     return bl_csv_close(call, &file);

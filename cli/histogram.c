@@ -17,85 +17,169 @@ typedef struct histogram_options {
     double level;
 } histogram_options;
 
+// --- its values ---------------------------------------------------------------------------------
+
+static const bl_histogram *histogram_of(const bl_table *table) {
+    return table->rows;
+}
+
+static const bl_facts *facts_of(const bl_table *table) {
+    return &((const bl_signal *)table->context)->facts;
+}
+
+static void find_theory(const bl_table *table, size_t row, bl_cell *cell) {
+    (void)row;
+    cell->value = facts_of(table)->variance;
+}
+
+static int has_bound(const void *facts) {
+    return isfinite(((const bl_facts *)facts)->lower) && isfinite(((const bl_facts *)facts)->upper);
+}
+
+static void find_range(const bl_table *table, size_t row, bl_cell *cell) {
+    (void)row;
+    const bl_histogram *h = histogram_of(table);
+    const bl_facts *facts = facts_of(table);
+    int length =
+        snprintf(cell->text, sizeof cell->text, "%.6g to %.6g", h->minimum + 0.0, h->maximum + 0.0);
+    if (has_bound(facts))
+        snprintf(cell->text + length, sizeof cell->text - (size_t)length, ", bound %.6g to %.6g",
+                 facts->lower + 0.0, facts->upper + 0.0);
+    cell->word = cell->text;
+}
+
+static void find_upper_edge(const bl_table *table, size_t row, bl_cell *cell) {
+    cell->value = histogram_of(table)->edges[row + 1];
+}
+
+static void find_density(const bl_table *table, size_t row, bl_cell *cell) {
+    cell->value = bl_histogram_density(histogram_of(table), row);
+}
+
+static void find_probability(const bl_table *table, size_t row, bl_cell *cell) {
+    cell->value = ((const bl_histogram *)table->context)->quantile_p[row];
+}
+
+// clang-format off
+#define AT(member) .offset = offsetof(bl_histogram, member)
+static const bl_field head_fields[] = {
+    {"samples", NULL, BL_CELL_COUNT, AT(count)},
+    {"seed", NULL, BL_CELL_COUNT, AT(settings.seed)},
+    {"level", NULL, BL_CELL_REAL, AT(settings.level)},
+    {"mean", "mean", BL_CELL_ESTIMATE, AT(mean), .digits = 6, .limits = ""},
+    {"variance", "variance", BL_CELL_ESTIMATE, AT(variance), .digits = 6, .limits = ""},
+    {"theory", "theory", BL_CELL_REAL, .find = find_theory, .digits = 6, .forms = BL_IN_TEXT,
+     .optional = 1},
+    {"skewness", "skewness", BL_CELL_REAL, AT(skewness), .forms = BL_IN_TEXT | BL_IN_JSON},
+    {"kurtosis", "kurtosis", BL_CELL_REAL, AT(kurtosis),
+     .forms = BL_IN_TEXT | BL_IN_JSON, .unit = "(3 for a normal distribution)"},
+    {"range", "range", BL_CELL_WORD, .find = find_range, .forms = BL_IN_TEXT},
+    {"min", NULL, BL_CELL_REAL, AT(minimum)},
+    {"max", NULL, BL_CELL_REAL, AT(maximum)},
+    {"outside", NULL, BL_CELL_COUNT, AT(outside)},
+    {0}};
+
+static const bl_field bin_fields[] = {
+    {"from", NULL, BL_CELL_REAL, AT(edges), .forms = BL_IN_CSV},
+    {"to", NULL, BL_CELL_REAL, .find = find_upper_edge, .forms = BL_IN_CSV},
+    {"count", NULL, BL_CELL_COUNT, AT(counts), .forms = BL_IN_CSV},
+    {"density", NULL, BL_CELL_REAL, .find = find_density, .forms = BL_IN_CSV},
+    {"counts", NULL, BL_CELL_COUNT, AT(counts), .forms = BL_IN_JSON},
+    {0}};
+#undef AT
+
+#define AT(member) .offset = offsetof(bl_facts, member)
+static const bl_field fact_fields[] = {
+    {"mean_theory", NULL, BL_CELL_REAL, AT(mean)},
+    {"variance_theory", NULL, BL_CELL_REAL, AT(variance)},
+    {"bound", NULL, BL_CELL_LIST, AT(lower), .length = 2, .when = has_bound}, // and the upper one
+    {0}};
+#undef AT
+
+static const bl_field quantile_fields[] = {
+    {"p", NULL, BL_CELL_REAL, .find = find_probability},
+    {"value", NULL, BL_CELL_ESTIMATE, .offset = 0},
+    {0}};
+// clang-format on
+
+static bl_table head_of(const bl_signal *signal, const bl_histogram *h) {
+    bl_table head = BL_RECORD(head_fields, h);
+    head.context = signal;
+    head.level = h->settings.level;
+    return head;
+}
+
+static bl_table bins_of(const bl_histogram *h) {
+    return (bl_table){.fields = bin_fields, .rows = h, .count = h->settings.bins};
+}
+
 static void report_json(json_t *object, const bl_signal *signal, const bl_histogram *h) {
+    const bl_table head = head_of(signal, h), bins = bins_of(h);
+    bl_table quantiles = BL_TABLE(quantile_fields, h->quantile, BL_QUANTILES);
+    quantiles.context = h;
     bl_json_set_text(object, "signal", signal->text);
-    bl_json_set_count(object, "samples", h->count);
-    bl_json_set_count(object, "seed", h->settings.seed);
-    bl_json_set_number(object, "level", h->settings.level);
-    bl_json_set_estimate(object, "mean", &h->mean);
-    bl_json_set_estimate(object, "variance", &h->variance);
-    bl_json_set_number(object, "mean_theory", signal->facts.mean);
-    bl_json_set_number(object, "variance_theory", signal->facts.variance);
-    bl_json_set_number(object, "skewness", bl_moments_skewness(&h->moments));
-    bl_json_set_number(object, "kurtosis", bl_moments_kurtosis(&h->moments));
+    bl_record_json(object, &head, 0);
+    bl_record_json(object, &BL_RECORD(fact_fields, &signal->facts), 0);
     bl_json_set_text(object, "kurtosis_note", "3 for a normal distribution");
-    bl_json_set_number(object, "min", h->minimum);
-    bl_json_set_number(object, "max", h->maximum);
     bl_json_set_numbers(object, "min_at", h->minimum_at, signal->dimensions);
     bl_json_set_numbers(object, "max_at", h->maximum_at, signal->dimensions);
-    double bound[2] = {signal->facts.lower, signal->facts.upper};
-    bl_json_set_numbers(object, "bound", isfinite(bound[0]) && isfinite(bound[1]) ? bound : NULL,
-                        2);
     bl_json_set_numbers(object, "bins", h->edges, h->settings.bins + 1);
     bl_json_set_text(object, "bins_note", "edges: one more than the counts");
-    json_t *counts = json_array(), *quantiles = json_array();
-    for (size_t i = 0; i < h->settings.bins; i++)
-        json_array_append_new(counts, json_integer((json_int_t)h->counts[i]));
-    json_object_set_new(object, "counts", counts);
-    bl_json_set_count(object, "outside", h->outside);
-    for (size_t i = 0; i < BL_QUANTILES; i++) {
-        json_t *entry = json_object();
-        bl_json_set_number(entry, "p", h->quantile_p[i]);
-        bl_json_set_estimate(entry, "value", &h->quantile[i]);
-        json_array_append_new(quantiles, entry);
-    }
-    json_object_set_new(object, "quantiles", quantiles);
+    bl_table_json_columns(object, &bins);
+    json_object_set_new(object, "quantiles", bl_table_json(&quantiles));
 }
+
+// --- bars ---------------------------------------------------------------------------------------
+
+enum { BARS = 32, BAR = 50 };
+
+typedef struct histogram_bar {
+    double from, to, share;
+    char bar[BAR + 1];
+} histogram_bar;
+
+#define AT(member) .offset = offsetof(histogram_bar, member)
+static const bl_field bar_fields[] = {{"from", "from", BL_CELL_REAL, AT(from)},
+                                      {"to", "to", BL_CELL_REAL, AT(to)},
+                                      {"share", "share", BL_CELL_REAL, AT(share), .decimals = 5},
+                                      {"bar", "", BL_CELL_LETTERS, AT(bar)},
+                                      {0}};
+#undef AT
 
 // At most 32 rows: neighbouring bins are joined, which the last line says.
 static void print_bars(FILE *out, const bl_histogram *h) {
-    enum { WIDTH = 50 };
-    size_t join = (h->settings.bins + 31) / 32, most = 1;
-    fputs("     value, from : to      share\n", out);
-    for (int pass = 0; pass < 2; pass++)
-        for (size_t i = 0; i < h->settings.bins; i += join) {
-            size_t end = i + join < h->settings.bins ? i + join : h->settings.bins, sum = 0;
-            for (size_t k = i; k < end; k++)
-                sum += h->counts[k];
-            if (pass == 0 && sum > most)
-                most = sum;
-            if (pass == 0)
-                continue;
-            int length = (int)((double)sum / (double)most * WIDTH + 0.5);
-            fprintf(out, "%10.4g : %-10.4g %9.5f%s%.*s\n", h->edges[i], h->edges[end],
-                    (double)sum / (double)h->count, length ? "  " : "", length,
-                    "##################################################");
-        }
+    histogram_bar bars[BARS];
+    size_t bins = h->settings.bins, join = (bins + BARS - 1) / BARS, count = 0;
+    double most = 0;
+    for (size_t i = 0; i < bins; i += join, count++) {
+        size_t end = i + join < bins ? i + join : bins;
+        bars[count] =
+            (histogram_bar){h->edges[i], h->edges[end], bl_histogram_share(h, i, end), ""};
+        most = fmax(most, bars[count].share);
+    }
+    for (size_t i = 0; i < count && most > 0; i++)
+        memset(bars[i].bar, '#', (size_t)(bars[i].share / most * BAR + 0.5));
+    bl_table_print(&BL_TABLE(bar_fields, bars, count), out);
     if (join > 1)
-        fprintf(out, "a row joins %zu of the %zu bins; --json and -o give each\n", join,
-                h->settings.bins);
+        fprintf(out, "a row joins %zu of the %zu bins; --json and -o give each\n", join, bins);
+}
+
+static void print_quantiles(FILE *out, const bl_histogram *h) {
+    char text[BL_QUANTILES * 32] = "";
+    for (size_t i = 0; i < BL_QUANTILES; i++)
+        sprintf(text + strlen(text), "%s%g: %.4g", i ? ", " : "", h->quantile_p[i],
+                h->quantile[i].value + 0.0);
+    fputs("quantiles ", out);
+    bl_plain_wrap(out, text, 10, 10, 100);
+    fputs("\n\n", out);
 }
 
 static void report_text(FILE *out, const bl_signal *signal, const bl_histogram *h) {
+    const bl_table head = head_of(signal, h);
     bl_plain_text(out, signal->text);
-    fprintf(out, ": %zu sample%s\n\nmean      ", h->count, bl_plural(h->count));
-    bl_plain_estimate(out, &h->mean, h->settings.level, 6);
-    fputs("\nvariance  ", out);
-    bl_plain_estimate(out, &h->variance, h->settings.level, 6);
-    if (isfinite(signal->facts.variance))
-        fprintf(out, "   theory %.6g", signal->facts.variance);
-    fputs("\nskewness  ", out);
-    bl_plain_number(out, bl_moments_skewness(&h->moments), 4);
-    fputs("\nkurtosis  ", out);
-    bl_plain_number(out, bl_moments_kurtosis(&h->moments), 4);
-    fprintf(out, " (3 for a normal distribution)\nrange     %.6g to %.6g", h->minimum + 0.0,
-            h->maximum + 0.0);
-    if (isfinite(signal->facts.lower) && isfinite(signal->facts.upper))
-        fprintf(out, ", bound %.6g to %.6g", signal->facts.lower + 0.0, signal->facts.upper + 0.0);
-    fputs("\nquantiles", out);
-    for (size_t i = 0; i < BL_QUANTILES; i++)
-        fprintf(out, " %g: %.4g%s", h->quantile_p[i], h->quantile[i].value + 0.0,
-                i + 1 < BL_QUANTILES ? "," : "\n\n");
+    fprintf(out, ": %zu sample%s\n\n", h->count, bl_plural(h->count));
+    bl_record_print(&head, out);
+    print_quantiles(out, h);
     print_bars(out, h);
     if (h->outside)
         fprintf(out, "%zu sample%s outside of these bins\n", h->outside,
@@ -103,27 +187,8 @@ static void report_text(FILE *out, const bl_signal *signal, const bl_histogram *
 }
 
 static bl_status write_csv(bl_call *call, const bl_signal *signal, const bl_histogram *h) {
-    bl_file file;
-    bl_status status = bl_csv_open(call, &file);
-    if (status != BL_OK)
-        return status;
-    char text[160];
-    bl_csv_comment(file.stream, "bandlimit histogram", BL_VERSION);
-    bl_csv_comment(file.stream, "signal", signal->text);
-    snprintf(text, sizeof text, "samples %zu, outside %zu, seed %llu, mean %.9g, variance %.9g",
-             h->count, h->outside, (unsigned long long)h->settings.seed, h->mean.value,
-             h->variance.value);
-    bl_csv_comment(file.stream, "settings", text);
-    fputs("from,to,count,density\n", file.stream);
-    for (size_t i = 0; i < h->settings.bins; i++) {
-        double width = h->edges[i + 1] - h->edges[i];
-        bl_csv_number(file.stream, h->edges[i]), fputc(',', file.stream);
-        bl_csv_number(file.stream, h->edges[i + 1]), fputc(',', file.stream);
-        fprintf(file.stream, "%zu,", h->counts[i]);
-        bl_csv_number(file.stream, (double)h->counts[i] / (double)h->count / width),
-            fputc('\n', file.stream);
-    }
-    return bl_csv_close(call, &file);
+    const bl_table head = head_of(signal, h), bins = bins_of(h);
+    return bl_csv_write(call, signal->text, &head, &bins);
 }
 
 static bl_status settle(bl_call *call, bl_histogram_settings *settings) {

@@ -52,107 +52,118 @@ bl_status bl_spectral_measure(bl_call *call, const bl_spectral *options, const b
     return bl_psd_measure(signal, &settings, psd, &call->message);
 }
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-double bl_spectral_dof(const bl_psd *psd) {
-    double *sorted = malloc((psd->count + 1) * sizeof *sorted), median = NAN;
-    if (!sorted)
-        return NAN;
-    memcpy(sorted, psd->dof, psd->count * sizeof *sorted);
-    qsort(sorted, psd->count, sizeof *sorted, ascending);
-    median = psd->count ? sorted[psd->count / 2] : NAN;
-    free(sorted);
-    return median;
-}
-
 static const char *place_word(const bl_signal *signal, const bl_psd *psd) {
     return on_grid(signal) ? "grid" : bl_spectral_places[psd->settings.place == BL_PLACE_LATTICE];
 }
 
-void bl_spectral_json(json_t *object, const bl_signal *signal, const bl_psd *psd) {
-    const bl_psd_settings *used = &psd->settings;
-    bl_json_set_text(object, "signal", signal->text);
-    bl_json_set_count(object, "dims", used->dims);
-    if (used->dims < 3)
-        bl_json_set_numbers(object, "axis", used->axis, 3);
-    bl_json_set_text(object, "place", place_word(signal, psd));
-    bl_json_set_number(object, "rate", used->rate);
-    bl_json_set_count(object, "size", used->size);
-    bl_json_set_count(object, "averages", used->averages);
-    bl_json_set_text(object, "window", bl_window_name(used->window));
-    bl_json_set_count(object, "seed", used->seed);
-    bl_json_set_number(object, "level", used->level);
-    bl_json_set_number(object, "dof", bl_spectral_dof(psd));
-    bl_json_set_number(object, "mean", psd->mean);
-    bl_json_set_estimate(object, "variance", &psd->variance);
-    bl_json_set_number(object, "windowed_variance", psd->windowed_variance);
-    bl_json_set_number(object, "variance_theory", psd->variance_theory);
-    bl_json_set_number(object, "parseval_residual", psd->parseval_residual);
-    bl_json_set_number(object, "inflation", psd->inflation);
-    bl_json_set_number(object, "correlation", psd->correlation);
-    bl_json_set_number(object, "broadening", psd->broadening);
-    bl_json_set_text(object, "frequency_unit", "cycles per unit (per cell for a noise)");
-    bl_json_set_text(object, "psd_unit",
-                     used->dims == 1   ? "value^2 per (cycle per unit), one-sided"
-                     : used->dims == 2 ? "value^2 per (cycle per unit)^2, two-sided"
-                                       : "value^2 per (cycle per unit)^3, two-sided");
-    bl_json_set_numbers(object, "frequency", psd->frequency, psd->count);
-    bl_json_set_numbers(object, "psd", psd->psd, psd->count);
-    bl_json_set_numbers(object, "lower", psd->lower, psd->count);
-    bl_json_set_numbers(object, "upper", psd->upper, psd->count);
-    bl_json_set_numbers(object, "theory", psd->theory, psd->count);
-    bl_json_set_numbers(object, "dof_per_bin", psd->dof, psd->count);
-    if (psd->anisotropy_db) {
-        bl_json_set_numbers(object, "anisotropy_db", psd->anisotropy_db, psd->count);
-        bl_json_set_numbers(object, "anisotropy_floor_db", psd->anisotropy_floor_db, psd->count);
-    }
+// --- its values ---------------------------------------------------------------------------------
+
+static const bl_psd *psd_of(const bl_table *table) {
+    return table->rows;
 }
 
-static void write_head(FILE *out, const bl_signal *signal, const bl_psd *psd) {
-    const bl_psd_settings *used = &psd->settings;
-    char text[256];
-    bl_csv_comment(out, "bandlimit spectrum", BL_VERSION);
-    bl_csv_comment(out, "signal", signal->text);
-    snprintf(
-        text, sizeof text,
-        "dims %u, axis %.9g %.9g %.9g, rate %.9g, size %zu, averages %zu, window %s, place %s, "
-        "seed %llu, level %g",
-        used->dims, used->axis[0], used->axis[1], used->axis[2], used->rate, used->size,
-        used->averages, bl_window_name(used->window), place_word(signal, psd),
-        (unsigned long long)used->seed, used->level);
-    bl_csv_comment(out, "settings", text);
-    snprintf(text, sizeof text, "%.9g, from %.9g to %.9g; parseval residual %.3g",
-             psd->variance.value, psd->variance.lower, psd->variance.upper, psd->parseval_residual);
-    bl_csv_comment(out, "variance", text);
-    bl_csv_comment(out, "units",
-                   "frequency in cycles per unit, psd in value^2 per (cycle per "
-                   "unit)^dims, one-sided for dims 1");
+static void find_place(const bl_table *table, size_t row, bl_cell *cell) {
+    (void)row;
+    cell->word = place_word(table->context, psd_of(table));
+}
+
+static void find_window(const bl_table *table, size_t row, bl_cell *cell) {
+    (void)row;
+    cell->word = bl_window_name(psd_of(table)->settings.window);
+}
+
+static void find_dof(const bl_table *table, size_t row, bl_cell *cell) {
+    (void)row;
+    cell->value = bl_psd_median_dof(psd_of(table));
+}
+
+static void find_peak(const bl_table *table, size_t row, bl_cell *cell) {
+    (void)row;
+    static const char *const powers[] = {"", "^2", "^3"};
+    const bl_psd *psd = psd_of(table);
+    size_t peak = bl_psd_peak(psd);
+    if (psd->count == 0 || !(psd->psd[peak] > 0))
+        return;
+    snprintf(cell->text, sizeof cell->text, "%.4g cycles per unit, PSD %.4g per (cycle per unit)%s",
+             psd->frequency[peak], psd->psd[peak], powers[psd->settings.dims - 1]);
+    cell->word = cell->text;
+}
+
+static int has_axis(const void *row) {
+    return ((const bl_psd *)row)->settings.dims < 3;
+}
+
+// clang-format off
+#define AT(member) .offset = offsetof(bl_psd, member)
+static const bl_field head_fields[] = {
+    {"dims", NULL, BL_CELL_UNSIGNED, AT(settings.dims)},
+    {"axis", NULL, BL_CELL_LIST, AT(settings.axis), .length = 3, .when = has_axis, .absent = 1},
+    {"place", NULL, BL_CELL_WORD, .find = find_place},
+    {"rate", NULL, BL_CELL_REAL, AT(settings.rate)},
+    {"size", NULL, BL_CELL_COUNT, AT(settings.size)},
+    {"averages", NULL, BL_CELL_COUNT, AT(settings.averages)},
+    {"window", NULL, BL_CELL_WORD, .find = find_window},
+    {"seed", NULL, BL_CELL_COUNT, AT(settings.seed)},
+    {"level", NULL, BL_CELL_REAL, AT(settings.level)},
+    {"dof", NULL, BL_CELL_REAL, .find = find_dof},
+    {"mean", NULL, BL_CELL_REAL, AT(mean)},
+    {"variance", "variance", BL_CELL_ESTIMATE, AT(variance), .digits = 6, .limits = ""},
+    {"variance_theory", "theory", BL_CELL_REAL, AT(variance_theory), .digits = 6, .optional = 1},
+    {"windowed_variance", "windowed", BL_CELL_REAL, AT(windowed_variance), .digits = 6,
+     .unit = "(the sum of the PSD)"},
+    {"peak", "peak", BL_CELL_WORD, .find = find_peak, .forms = BL_IN_TEXT, .optional = 1},
+    {"parseval_residual", "Parseval", BL_CELL_REAL, AT(parseval_residual), .digits = 2,
+     .unit = "residual"},
+    {"inflation", NULL, BL_CELL_REAL, AT(inflation)},
+    {"correlation", NULL, BL_CELL_REAL, AT(correlation)},
+    {"broadening", NULL, BL_CELL_REAL, AT(broadening)},
+    {0}};
+
+static const bl_field bin_fields[] = {
+    {"frequency", NULL, BL_CELL_REAL, AT(frequency)},
+    {"psd", NULL, BL_CELL_REAL, AT(psd)},
+    {"lower", NULL, BL_CELL_REAL, AT(lower)},
+    {"upper", NULL, BL_CELL_REAL, AT(upper)},
+    {"theory", NULL, BL_CELL_REAL, AT(theory)},
+    {"dof", NULL, BL_CELL_REAL, AT(dof), .forms = BL_IN_CSV},
+    {"dof_per_bin", NULL, BL_CELL_REAL, AT(dof), .forms = BL_IN_JSON},
+    {"anisotropy_db", NULL, BL_CELL_REAL, AT(anisotropy_db), .optional = 1},
+    {"anisotropy_floor_db", NULL, BL_CELL_REAL, AT(anisotropy_floor_db), .optional = 1,
+     .forms = BL_IN_JSON},
+    {0}};
+#undef AT
+// clang-format on
+
+static bl_table head_of(const bl_signal *signal, const bl_psd *psd) {
+    bl_table head = BL_RECORD(head_fields, psd);
+    head.context = signal;
+    head.level = psd->settings.level;
+    return head;
+}
+
+static bl_table bins_of(const bl_psd *psd) {
+    return (bl_table){.fields = bin_fields, .rows = psd, .count = psd->count};
+}
+
+static const char *const psd_units[] = {"value^2 per (cycle per unit), one-sided",
+                                        "value^2 per (cycle per unit)^2, two-sided",
+                                        "value^2 per (cycle per unit)^3, two-sided"};
+
+void bl_spectral_json(json_t *object, const bl_signal *signal, const bl_psd *psd) {
+    const bl_table head = head_of(signal, psd), bins = bins_of(psd);
+    bl_json_set_text(object, "signal", signal->text);
+    bl_record_json(object, &head, 0);
+    bl_json_set_text(object, "frequency_unit", "cycles per unit (per cell for a noise)");
+    bl_json_set_text(object, "psd_unit", psd_units[psd->settings.dims - 1]);
+    bl_table_json_columns(object, &bins);
 }
 
 bl_status bl_spectral_csv(bl_call *call, const bl_signal *signal, const bl_psd *psd) {
-    bl_file file;
-    bl_status status = bl_csv_open(call, &file);
-    if (status != BL_OK)
-        return status;
-    write_head(file.stream, signal, psd);
-    fprintf(file.stream, "frequency,psd,lower,upper,theory,dof%s\n",
-            psd->anisotropy_db ? ",anisotropy_db" : "");
-    for (size_t i = 0; i < psd->count; i++) {
-        bl_csv_number(file.stream, psd->frequency[i]), fputc(',', file.stream);
-        bl_csv_number(file.stream, psd->psd[i]), fputc(',', file.stream);
-        bl_csv_number(file.stream, psd->lower[i]), fputc(',', file.stream);
-        bl_csv_number(file.stream, psd->upper[i]), fputc(',', file.stream);
-        bl_csv_number(file.stream, psd->theory ? psd->theory[i] : NAN), fputc(',', file.stream);
-        bl_csv_number(file.stream, psd->dof[i]),
-            fputc(psd->anisotropy_db ? ',' : '\n', file.stream);
-        if (psd->anisotropy_db)
-            bl_csv_number(file.stream, psd->anisotropy_db[i]), fputc('\n', file.stream);
-    }
-    return bl_csv_close(call, &file);
+    const bl_table head = head_of(signal, psd), bins = bins_of(psd);
+    return bl_csv_write(call, signal->text, &head, &bins);
 }
+
+// --- in words -----------------------------------------------------------------------------------
 
 // What of an image or a volume was measured: ", all 32 rows of the image", ", 3 patches ...".
 static void print_pieces(FILE *out, const bl_signal *signal, const bl_psd_settings *used) {
@@ -176,14 +187,6 @@ static void print_pieces(FILE *out, const bl_signal *signal, const bl_psd_settin
                 used->averages == 1 ? " that spans" : "es that span", thing);
 }
 
-static size_t find_peak(const bl_psd *psd) {
-    size_t peak = 0;
-    for (size_t i = 1; i < psd->count; i++)
-        if (!(psd->psd[i] <= psd->psd[peak]))
-            peak = i;
-    return peak;
-}
-
 // How it was sampled, in the first two lines, and a third if fewer averages exist than are wanted.
 static void print_settings(FILE *out, const bl_spectral *options, const bl_signal *signal,
                            const bl_psd *psd) {
@@ -198,7 +201,7 @@ static void print_settings(FILE *out, const bl_spectral *options, const bl_signa
         print_pieces(out, signal, used);
     else
         fprintf(out, ", %s places\n", place_word(signal, psd));
-    double dof = bl_spectral_dof(psd);
+    double dof = bl_psd_median_dof(psd);
     fprintf(out,
             "%zu samples an axis, %g per unit: up to %g cycles per unit (Nyquist)\n"
             "%zu average%s; %s window; %.*f degrees of freedom a bin\n",
@@ -211,20 +214,8 @@ static void print_settings(FILE *out, const bl_spectral *options, const bl_signa
 
 void bl_spectral_print(FILE *out, const bl_spectral *options, const bl_signal *signal,
                        const bl_psd *psd) {
-    static const char *const units[] = {"", "^2", "^3"};
+    const bl_table head = head_of(signal, psd);
     print_settings(out, options, signal, psd);
-    fputs("\nvariance       ", out);
-    bl_plain_estimate(out, &psd->variance, psd->settings.level, 6);
-    if (isfinite(psd->variance_theory))
-        fprintf(out, "   theory %.6g", psd->variance_theory);
-    fputs("\nwindowed       ", out);
-    bl_plain_number(out, psd->windowed_variance, 6);
-    fputs(" (the sum of the PSD)", out);
-    size_t peak = find_peak(psd);
-    if (psd->count && psd->psd[peak] > 0)
-        fprintf(out, "\npeak           %.4g cycles per unit, PSD %.4g per (cycle per unit)%s",
-                psd->frequency[peak], psd->psd[peak], units[psd->settings.dims - 1]);
-    fputs("\nParseval       residual ", out);
-    bl_plain_number(out, psd->parseval_residual, 2);
     fputc('\n', out);
+    bl_record_print(&head, out);
 }

@@ -68,7 +68,4 @@ bl_status bl_spectral_csv(bl_call *call, const bl_signal *signal, const bl_psd *
 void bl_spectral_print(FILE *out, const bl_spectral *options, const bl_signal *signal,
                        const bl_psd *psd);
 
-// The degrees of freedom of the median bin.
-double bl_spectral_dof(const bl_psd *psd);
-
 #endif

@@ -41,80 +41,88 @@ static bl_status read_bands(bl_call *call, bl_band **bands, size_t *count) {
     return BL_OK;
 }
 
-static json_t *bands_json(const bl_band *bands, size_t count) {
-    json_t *list = json_array();
-    for (size_t i = 0; i < count; i++) {
-        json_t *object = json_object();
-        bl_json_set_number(object, "from", bands[i].from);
-        bl_json_set_number(object, "to", bands[i].to);
-        bl_json_set_number(object, "fraction", bands[i].fraction.value);
-        bl_json_set_number(object, "lower", bands[i].fraction.lower);
-        bl_json_set_number(object, "upper", bands[i].fraction.upper);
-        bl_json_set_number(object, "theory", bands[i].theory);
-        json_array_append_new(list, object);
-    }
-    return list;
+// The corners of a slice or volume reach beyond Nyquist.
+static int is_beyond(const bl_table *table, size_t row) {
+    const bl_psd *psd = table->context;
+    const bl_band *band = (const bl_band *)table->rows + row;
+    return band->from >= 0.5 * psd->settings.rate * sqrt((double)psd->settings.dims);
 }
 
-static void print_bands(FILE *out, const bl_psd *psd, const bl_band *bands, size_t count) {
-    // The corners of a slice or volume reach beyond Nyquist.
-    double highest = 0.5 * psd->settings.rate * sqrt((double)psd->settings.dims);
-    fprintf(out,
-            "\nband, cycles per unit   share of the variance   %4.3g %% interval        theory\n",
-            100 * psd->settings.level);
-    for (size_t i = 0; i < count; i++) {
-        char range[48];
-        snprintf(range, sizeof range, "%g : %g", bands[i].from, bands[i].to);
-        fprintf(out, "%-23s ", range);
-        if (bands[i].from >= highest) {
-            fputs("beyond what was measured\n", out);
-            continue;
-        }
-        fprintf(out, "%-23.5g %-10.5g %-12.5g ", bands[i].fraction.value, bands[i].fraction.lower,
-                bands[i].fraction.upper);
-        if (isfinite(bands[i].theory))
-            fprintf(out, "%.5g\n", bands[i].theory + 0.0);
-        else
-            fputs("-\n", out);
-    }
+static void find_range(const bl_table *table, size_t row, bl_cell *cell) {
+    const bl_band *band = (const bl_band *)table->rows + row;
+    snprintf(cell->text, sizeof cell->text, "%g : %g", band->from, band->to);
+    cell->word = cell->text;
 }
 
-static json_t *autocorrelation_json(const bl_autocorrelation *a) {
-    json_t *object = json_object(), *covariance = json_array(), *lower = json_array(),
-           *upper = json_array();
-    for (size_t i = 0; i < a->count; i++) {
-        json_array_append_new(covariance, bl_json_number(a->covariance[i].value));
-        json_array_append_new(lower, bl_json_number(a->covariance[i].lower));
-        json_array_append_new(upper, bl_json_number(a->covariance[i].upper));
-    }
-    bl_json_set_numbers(object, "lag", a->lag, a->count);
-    json_object_set_new(object, "covariance", covariance);
-    json_object_set_new(object, "lower", lower);
-    json_object_set_new(object, "upper", upper);
-    bl_json_set_numbers(object, "theory", a->theory, a->count);
-    return object;
+static void find_share(const bl_table *table, size_t row, bl_cell *cell) {
+    const bl_estimate *share = &((const bl_band *)table->rows)[row].fraction;
+    if (is_beyond(table, row))
+        return;
+    cell->value = share->value;
+    cell->lower = share->lower;
+    cell->upper = share->upper;
+}
+
+static void find_remark(const bl_table *table, size_t row, bl_cell *cell) {
+    cell->word = is_beyond(table, row) ? "beyond what was measured" : "";
+}
+
+// clang-format off
+#define AT(member) .offset = offsetof(bl_band, member)
+static const bl_field band_fields[] = {
+    {"range", "band, cycles per unit", BL_CELL_WORD, .find = find_range, .forms = BL_IN_TEXT},
+    {"from", NULL, BL_CELL_REAL, AT(from)},
+    {"to", NULL, BL_CELL_REAL, AT(to)},
+    {"fraction", NULL, BL_CELL_ESTIMATE, AT(fraction), .bare_limits = 1, .forms = BL_IN_JSON},
+    {"share", "share of the variance", BL_CELL_ESTIMATE, .find = find_share, .digits = 5,
+     .limits = "", .forms = BL_IN_TEXT},
+    {"theory", "theory", BL_CELL_REAL, AT(theory), .digits = 5},
+    {"remark", "", BL_CELL_WORD, .find = find_remark, .forms = BL_IN_TEXT},
+    {0}};
+#undef AT
+
+#define AT(member) .offset = offsetof(bl_autocorrelation, member)
+static const bl_field lag_fields[] = {
+    {"lag", "lag, units", BL_CELL_REAL, AT(lag), .digits = 5},
+    {"covariance", "autocovariance", BL_CELL_ESTIMATE, AT(covariance), .digits = 5, .limits = "",
+     .bare_limits = 1},
+    {"theory", "theory", BL_CELL_REAL, AT(theory), .digits = 5},
+    {0}};
+#undef AT
+// clang-format on
+
+static bl_table bands_of(const bl_psd *psd, const bl_band *bands, size_t count) {
+    bl_table table = BL_TABLE(band_fields, bands, count);
+    table.context = psd;
+    table.level = psd->settings.level;
+    return table;
+}
+
+static bl_table lags_of(const bl_autocorrelation *a) {
+    return (bl_table){
+        .fields = lag_fields, .rows = a, .count = a->count, .level = a->settings.level};
 }
 
 // At most 17 lags, evenly spaced from 0 on.
 static void print_autocorrelation(FILE *out, const bl_autocorrelation *a) {
-    size_t step = (a->count + 15) / 16;
-    fprintf(out,
-            "\nlag, units              autocovariance          %4.3g %% interval          theory\n",
-            100 * a->settings.level);
-    for (size_t i = 0; i < a->count; i += step) {
-        const bl_estimate *e = &a->covariance[i];
-        fprintf(out, "%-23.5g %-23.5g %-11.4g %-12.4g ", a->lag[i], e->value, e->lower, e->upper);
-        if (a->theory)
-            fprintf(out, "%.5g\n", a->theory[i] + 0.0);
-        else
-            fputs("-\n", out);
-    }
-    if (step > 1)
-        fprintf(out, "every %zu%s of the %zu lags; --json gives all\n", step,
-                step == 2   ? "nd"
-                : step == 3 ? "rd"
-                            : "th",
+    bl_table lags = lags_of(a);
+    lags.every = (a->count + 15) / 16;
+    lags.count = (a->count + lags.every - 1) / lags.every;
+    fputc('\n', out);
+    bl_table_print(&lags, out);
+    if (lags.every > 1)
+        fprintf(out, "every %zu%s of the %zu lags; --json gives all\n", lags.every,
+                lags.every == 2   ? "nd"
+                : lags.every == 3 ? "rd"
+                                  : "th",
                 a->count);
+}
+
+static json_t *autocorrelation_json(const bl_autocorrelation *a) {
+    const bl_table lags = lags_of(a);
+    json_t *object = json_object();
+    bl_table_json_columns(object, &lags);
+    return object;
 }
 
 static bl_status add_autocorrelation(bl_call *call, const bl_signal *signal) {
@@ -141,13 +149,15 @@ static bl_status report(bl_call *call, const bl_signal *signal, const bl_psd *ps
     bl_status status = BL_OK;
     for (size_t i = 0; i < count; i++)
         bl_psd_band(psd, &bands[i]);
+    const bl_table table = bands_of(psd, bands, count);
     json_t *object = bl_json_start(call);
     if (object) {
         bl_spectral_json(object, signal, psd);
-        json_object_set_new(object, "bands", bands_json(bands, count));
+        json_object_set_new(object, "bands", bl_table_json(&table));
     } else if (!call->common.quiet) {
         bl_spectral_print(call->out, &settings->spectral, signal, psd);
-        print_bands(call->out, psd, bands, count);
+        fputc('\n', call->out);
+        bl_table_print(&table, call->out);
     }
     if (settings->reach > 0)
         status = add_autocorrelation(call, signal);

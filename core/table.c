@@ -64,6 +64,7 @@ void bl_cell_find(const bl_table *table, const bl_field *field, size_t row, bl_c
                       .lower = NAN,
                       .upper = NAN,
                       .count = field->length};
+    row *= table->every ? table->every : 1;
     const char *place = field->find ? NULL : place_of(table, field, row);
     if (field->when && !field->when((const char *)table->rows + table->stride * row))
         cell->kind = BL_CELL_NONE;
@@ -89,7 +90,7 @@ int bl_field_is_told(const bl_table *table, const bl_field *field, int form) {
     for (size_t row = 0; row < table->count && !told; row++) {
         bl_cell cell;
         bl_cell_find(table, field, row, &cell);
-        told = !bl_cell_is_missing(&cell);
+        told = form == BL_IN_TEXT ? !bl_cell_is_missing(&cell) : cell.kind != BL_CELL_NONE;
     }
     return told;
 }
@@ -107,6 +108,8 @@ bl_limit_key bl_field_limit_key(const bl_field *field, const char *which) {
 static void add_number(char *text, size_t size, const bl_field *field, double number) {
     size_t used = strlen(text);
     int fixed = field->decimals && fabs(number) < 1e9;
+    if (fixed && fabs(number) < 0.5 * pow(10, -field->decimals)) // no -0.00
+        number = 0;
     int digits = fixed ? field->decimals : field->digits ? field->digits : 4;
     snprintf(text + used, size - used, fixed ? "%.*f" : "%.*g", digits, number + 0.0);
 }

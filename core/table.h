@@ -93,6 +93,7 @@ struct bl_table {
     const void *rows;
     size_t count;  // of rows
     size_t stride; // bytes of a row; 0: one struct of pointers to arrays, each NULL or a column
+    size_t every;  // tells every so many rows, of which there are `count`; 0: each
     double level;  // of the intervals
     int coloured;  // for a terminal that shows the colours of verdicts
     const void *context; // for the functions of the fields
@@ -111,7 +112,8 @@ struct bl_table {
 // For a terminal, at most 100 columns wide where the last one is of words, which are wrapped. What
 // is missing is "-"; a column that no row has is left out.
 void bl_table_print(const bl_table *table, FILE *out);
-// A line for each value: heading, value, unit, interval.
+// A line for each value: heading, value, unit, interval. What is missing is "not known", or left
+// out if it is optional.
 void bl_record_print(const bl_table *record, FILE *out);
 
 // One line of headers and a line a row, RFC 4180 but for line feeds alone. Lists are left out.

@@ -103,7 +103,7 @@ static void put_value(FILE *out, const bl_table *record, const bl_field *field) 
     bl_cell_find(record, field, 0, &cell);
     int coloured = record->coloured && cell.kind == BL_CELL_VERDICT;
     fputs(bl_plain_colour(cell.verdict, coloured), out);
-    bl_plain_text(out, bl_cell_text(field, &cell));
+    bl_plain_text(out, bl_cell_is_missing(&cell) ? "not known" : bl_cell_text(field, &cell));
     fputs(bl_plain_end(coloured), out);
     if (field->unit)
         fprintf(out, " %s", field->unit);
@@ -113,13 +113,18 @@ static void put_value(FILE *out, const bl_table *record, const bl_field *field) 
     fputc('\n', out);
 }
 
+static int is_told(const bl_table *record, const bl_field *field) {
+    return field->heading && (!field->forms || field->forms & BL_IN_TEXT) &&
+           (!field->optional || bl_field_is_told(record, field, BL_IN_TEXT));
+}
+
 void bl_record_print(const bl_table *record, FILE *out) {
     text_column names = {0};
     for (const bl_field *field = record->fields; field->key; field++)
-        if (bl_field_is_told(record, field, BL_IN_TEXT) && strlen(field->heading) > names.width)
+        if (is_told(record, field) && strlen(field->heading) > names.width)
             names.width = strlen(field->heading);
     for (const bl_field *field = record->fields; field->key; field++) {
-        if (!bl_field_is_told(record, field, BL_IN_TEXT))
+        if (!is_told(record, field))
             continue;
         fprintf(out, "%*s", (int)put(out, &names, field->heading, 0), "");
         put_value(out, record, field);

@@ -25,9 +25,10 @@ typedef struct bl_histogram_settings {
 
 typedef struct bl_histogram {
     bl_histogram_settings settings;
-    size_t count;               // values seen
-    size_t outside;             // of [from, to]
-    bl_moments moments;         // of a constant, skewness and kurtosis are NAN: 0/0
+    size_t count;   // values seen
+    size_t outside; // of [from, to]
+    bl_moments moments;
+    double skewness, kurtosis;  // of a constant NAN: 0/0
     bl_estimate mean, variance; // the limits of the variance are positive where it is
     double minimum, maximum;
     double minimum_at[BL_AXES], maximum_at[BL_AXES];
@@ -50,5 +51,9 @@ size_t bl_histogram_usual_samples(bl_size size); // 2^16, 2^20, 2^26
 bl_status bl_histogram_measure(const bl_signal *signal, const bl_histogram_settings *settings,
                                bl_histogram *histogram, bl_message *message);
 void bl_histogram_free(bl_histogram *histogram);
+
+// The share of all values seen that the bins [first, end) have; the density in one bin.
+double bl_histogram_share(const bl_histogram *histogram, size_t first, size_t end);
+double bl_histogram_density(const bl_histogram *histogram, size_t bin);
 
 #endif

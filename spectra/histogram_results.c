@@ -32,6 +32,8 @@ static void fill_moments(const bl_sampling *s, bl_histogram *h, double *means, d
     double shift = h->moments.mean - h->mean.value;
     h->mean = (bl_estimate){h->moments.mean, h->mean.lower + shift, h->mean.upper + shift,
                             h->mean.level, h->mean.samples};
+    h->skewness = bl_moments_skewness(&h->moments);
+    h->kurtosis = bl_moments_kurtosis(&h->moments);
     double variance = h->moments.n > 1 ? h->moments.m2 / (h->moments.n - 1) : 0;
     // A variance is positive, and so are its limits on a scale of logarithms.
     double half = h->variance.upper - h->variance.value; // NaN of one block
@@ -197,4 +199,16 @@ bl_status bl_histogram_fill(const bl_sampling *s, bl_histogram *histogram, bl_me
     }
     free(replicates);
     return status;
+}
+
+double bl_histogram_share(const bl_histogram *histogram, size_t first, size_t end) {
+    size_t sum = 0;
+    for (size_t i = first; i < end; i++)
+        sum += histogram->counts[i];
+    return (double)sum / (double)histogram->count;
+}
+
+double bl_histogram_density(const bl_histogram *histogram, size_t bin) {
+    double width = histogram->edges[bin + 1] - histogram->edges[bin];
+    return (double)histogram->counts[bin] / (double)histogram->count / width;
 }

@@ -96,6 +96,10 @@ bl_status bl_psd_measure(const bl_signal *signal, const bl_psd_settings *setting
                          bl_message *message);
 void bl_psd_free(bl_psd *psd);
 
+// The degrees of freedom of the median bin, NAN out of memory; the index of the highest bin.
+double bl_psd_median_dof(const bl_psd *psd);
+size_t bl_psd_peak(const bl_psd *psd);
+
 // The floats between the rows of a buffer for bl_psd_of_buffer.
 size_t bl_psd_pitch(size_t size);
 

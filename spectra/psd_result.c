@@ -167,3 +167,27 @@ bl_status bl_psd_of_buffer(float *samples, const bl_psd_settings *settings, bl_p
     bl_bins_close(&bins);
     return status;
 }
+
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double bl_psd_median_dof(const bl_psd *psd) {
+    double *sorted = malloc((psd->count + 1) * sizeof *sorted), median = NAN;
+    if (!sorted)
+        return NAN;
+    memcpy(sorted, psd->dof, psd->count * sizeof *sorted);
+    qsort(sorted, psd->count, sizeof *sorted, ascending);
+    median = psd->count ? sorted[psd->count / 2] : NAN;
+    free(sorted);
+    return median;
+}
+
+size_t bl_psd_peak(const bl_psd *psd) {
+    size_t peak = 0;
+    for (size_t i = 1; i < psd->count; i++)
+        if (!(psd->psd[i] <= psd->psd[peak]))
+            peak = i;
+    return peak;
+}
