@@ -1,30 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
 // The JSON of a figure: "schema": "bandlimit.figure/1". It holds no times and no paths, so that the
-// same settings give the same bytes.
+// same settings give the same bytes. "No limit" and "not measured" are null.
 #include <jansson.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/version.h"
 #include "reports/record.h"
 #include "reports/output.h"
-
-// Infinity and NaN have no JSON: they are null, as "no limit" and "not measured".
-static json_t *number(double value) {
-    return isfinite(value) ? json_real(value) : json_null();
-}
-
-// JSON integers end at 2^63 - 1 here: a larger seed is written as text.
-static json_t *seed_json(uint64_t seed) {
-    char text[24];
-    if (seed <= INT64_MAX)
-        return json_integer((json_int_t)seed);
-    snprintf(text, sizeof text, "%llu", (unsigned long long)seed);
-    return json_string(text);
-}
+#include "reports/table_json.h"
 
 static json_t *claim_json(const bl_claim *claim) {
     const bl_estimate *m = &claim->measured;
@@ -32,10 +18,11 @@ static json_t *claim_json(const bl_claim *claim) {
     return json_pack(
         "{s:s, s:s, s:s, s:s, s:[o,o], s:o, s:[o,o], s:o, s:o, s:s, s:s}", "claim", claim->sentence,
         "source", claim->source, "reading", claim->reading, "unit", claim->unit, "expected",
-        number(claim->expected_lower), number(claim->expected_upper), "measured", number(m->value),
-        "interval", number(known ? m->lower : NAN), number(known ? m->upper : NAN), "level",
-        number(known ? m->level : NAN), "samples", number(m->samples), "samples_of",
-        claim->counted ? claim->counted : "", "verdict", bl_outcome_word(bl_claim_outcome(claim)));
+        bl_json_number(claim->expected_lower), bl_json_number(claim->expected_upper), "measured",
+        bl_json_number(m->value), "interval", bl_json_number(known ? m->lower : NAN),
+        bl_json_number(known ? m->upper : NAN), "level", bl_json_number(known ? m->level : NAN),
+        "samples", bl_json_number(m->samples), "samples_of", claim->counted ? claim->counted : "",
+        "verdict", bl_outcome_word(bl_claim_outcome(claim)));
 }
 
 static json_t *settings_json(const bl_run_record *record) {
@@ -67,7 +54,7 @@ static json_t *figure_json(const bl_run_record *record, const bl_reproduce_setti
                      settings->arguments ? settings->arguments : "", "figure", figure->name,
                      "title", figure->title, "question", figure->question, "paper", figure->paper,
                      "shows", figure->shows, "size", bl_size_word(settings->size), "seed",
-                     seed_json(settings->seed), "settings", settings_json(record), "verdicts",
+                     bl_json_count(settings->seed), "settings", settings_json(record), "verdicts",
                      outcomes_json(result), "claims", claims, "files", files);
 }
 

@@ -126,25 +126,23 @@ double bl_wall_spread(const double width[BL_WALL_JOINTS]) {
 }
 
 void bl_wall_draw_widths(bl_run *run, const char *what, const double place[BL_WALL_JOINTS],
-                         const bl_wall_row *rows, size_t count, const char *alternative) {
-    bl_column columns[1 + BL_WALL_ROWS_MOST] = {{"height_units", place, NULL}};
-    bl_series series[BL_WALL_ROWS_MOST];
-    for (size_t i = 0; i < count; i++) {
-        columns[1 + i] = (bl_column){rows[i].column, rows[i].width, NULL};
-        series[i] = (bl_series){BL_STROKE_POINTS, rows[i].ink, "widths.csv",  "height_units",
-                                rows[i].column,   NULL,        rows[i].label, 0};
-    }
-    bl_run_csv(run, "widths", what, columns, 1 + count, BL_WALL_JOINTS);
-    const bl_limit limits[] = {{0, 1, "the mortar"}};
-    const bl_panel panel = {
-        .title = "level joints, from the bottom up", .series = series, .series_count = count};
-    const bl_plot plot = {.title = "How wide do the joints look?",
-                          .x = {"height of the joint, units", -1, 1, 0.25, 0},
-                          .y = {"width, thicknesses of the mortar", -0.2, 2, 0.5, 0},
-                          .panels = &panel,
-                          .panel_count = 1,
-                          .aspect = 0.4,
-                          .limits = limits,
-                          .limit_count = 1};
-    bl_run_plot(run, "widths", &plot, alternative);
+                         const bl_line *lines, size_t count, const char *alternative) {
+    static const char *const title = "level joints, from the bottom up";
+    static const bl_limit mortar_itself = {0, 1, "the mortar"};
+    bl_graph_draw(run, &(bl_graph){.name = "widths",
+                                   .what = what,
+                                   .x_name = "height_units",
+                                   .x = place,
+                                   .points = BL_WALL_JOINTS,
+                                   .lines = lines,
+                                   .line_count = count,
+                                   .panels = &title,
+                                   .panel_count = 1,
+                                   .plot = {.title = "How wide do the joints look?",
+                                            .x = {"height of the joint, units", -1, 1, 0.25, 0},
+                                            .y = {"width, thicknesses of the mortar", -0.2, 2, 0.5},
+                                            .aspect = 0.4,
+                                            .limits = &mortar_itself,
+                                            .limit_count = 1},
+                                   .alternative = alternative});
 }

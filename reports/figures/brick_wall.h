@@ -5,6 +5,7 @@
 #ifndef BL_REPORTS_FIGURES_BRICK_WALL_H
 #define BL_REPORTS_FIGURES_BRICK_WALL_H
 
+#include "reports/figures/graph.h"
 #include "reports/measure.h"
 
 enum { BL_WALL_PIXELS = 128, BL_WALL_JOINTS = 20 };
@@ -28,19 +29,9 @@ void bl_wall_draw(bl_run *run, const bl_wall *wall, const char *method, const ch
 void bl_wall_widths(bl_run *run, const bl_wall *wall, const char *method,
                     double place[BL_WALL_JOINTS], double width[BL_WALL_JOINTS]);
 
-// One of the ways that a plot of these widths shows.
-typedef struct bl_wall_row {
-    const char *column, *label; // "point_mortars", "point sampled"
-    const double *width;        // BL_WALL_JOINTS of them
-    bl_ink ink;
-} bl_wall_row;
-
-enum { BL_WALL_ROWS_MOST = 4 };
-
-// Writes widths.csv, which `what` describes, and the plot "widths" of at most BL_WALL_ROWS_MOST
-// rows.
+// Writes widths.csv, which `what` describes, and the plot "widths" of lines of BL_WALL_JOINTS.
 void bl_wall_draw_widths(bl_run *run, const char *what, const double place[BL_WALL_JOINTS],
-                         const bl_wall_row *rows, size_t count, const char *alternative);
+                         const bl_line *lines, size_t count, const char *alternative);
 
 // The standard deviation of the widths.
 double bl_wall_spread(const double width[BL_WALL_JOINTS]);

@@ -31,48 +31,35 @@ void bl_curves_claim(bl_run *run, const char *source, const char *sentence, cons
                   bl_exactly(measured, BL_CURVES_STEPS + 1), "places");
 }
 
-static void write_values(bl_run *run, const bl_curves *curves, const bl_gallery *gallery) {
-    enum { POINTS = BL_CURVES_STEPS + 1 };
-    double *values = bl_run_memory(run, (curves->count + 1) * POINTS, sizeof *values), *x = values;
-    bl_column columns[BL_CURVES_MOST + 1];
-    columns[0] = (bl_column){"x", x, NULL};
-    for (size_t i = 0; i < POINTS; i++)
-        x[i] = place(curves->x.from, curves->x.to, i);
-    for (size_t n = 0; n < curves->count; n++) {
-        double *column = values + (n + 1) * POINTS;
-        for (size_t i = 0; i < POINTS; i++)
-            column[i] = bl_curves_at(gallery, n, x[i]);
-        columns[n + 1] = (bl_column){gallery->key[n], column, NULL};
-    }
-    bl_run_csv(run, "curves", "values along x", columns, curves->count + 1, POINTS);
-}
-
-static void draw(bl_run *run, const bl_curves *curves, const bl_gallery *gallery) {
-    bl_series series[BL_CURVES_MOST];
-    for (size_t n = 0; n < curves->count; n++)
-        series[n] = (bl_series){.stroke = curves->curves[n].stroke,
-                                .ink = curves->curves[n].ink,
-                                .file = "curves.csv",
-                                .x = "x",
-                                .y = gallery->key[n],
-                                .label = curves->curves[n].label};
-    const bl_panel panel = {.title = "", .series = series, .series_count = curves->count};
-    const bl_plot plot = {.title = curves->title,
-                          .x = curves->x,
-                          .y = curves->y,
-                          .panels = &panel,
-                          .panel_count = 1,
-                          .limits = curves->limits,
-                          .limit_count = curves->limit_count};
-    bl_run_plot(run, "curves", &plot, curves->alternative);
-}
-
 bl_gallery bl_curves_draw(bl_run *run, const bl_curves *curves) {
+    enum { POINTS = BL_CURVES_STEPS + 1 };
     const char *texts[BL_CURVES_MOST];
+    bl_line lines[BL_CURVES_MOST];
+    double *x = bl_run_memory(run, POINTS, sizeof *x);
     for (size_t n = 0; n < curves->count; n++)
         texts[n] = curves->curves[n].text;
     const bl_gallery gallery = bl_gallery_open(run, texts, curves->count);
-    write_values(run, curves, &gallery);
-    draw(run, curves, &gallery);
+    for (size_t i = 0; i < POINTS; i++)
+        x[i] = place(curves->x.from, curves->x.to, i);
+    for (size_t n = 0; n < curves->count; n++) {
+        const bl_curve *curve = &curves->curves[n];
+        double *values = bl_run_memory(run, POINTS, sizeof *values);
+        for (size_t i = 0; i < POINTS; i++)
+            values[i] = bl_curves_at(&gallery, n, x[i]);
+        lines[n] = (bl_line){gallery.key[n], values, curve->label, curve->ink, curve->stroke};
+    }
+    bl_graph_draw(run, &(bl_graph){.name = "curves",
+                                   .what = "values along x",
+                                   .x_name = "x",
+                                   .x = x,
+                                   .points = POINTS,
+                                   .lines = lines,
+                                   .line_count = curves->count,
+                                   .plot = {.title = curves->title,
+                                            .x = curves->x,
+                                            .y = curves->y,
+                                            .limits = curves->limits,
+                                            .limit_count = curves->limit_count},
+                                   .alternative = curves->alternative});
     return gallery;
 }

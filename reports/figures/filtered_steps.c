@@ -7,6 +7,7 @@
 #include "core/quadrature.h"
 #include "filters/response.h"
 #include "reports/figures/estimates.h"
+#include "reports/figures/graph.h"
 
 static const char section[] = "peachey2003, Better Filters";
 
@@ -20,85 +21,81 @@ static size_t count_of(void) {
 
 // --- plots --------------------------------------------------------------------------------------
 
+// A panel for each filter, whose titles are put here.
+static void draw(bl_run *run, bl_graph *graph) {
+    const char *names[FILTERS_MOST];
+    for (size_t f = 0; f < count_of(); f++)
+        names[f] = bl_filter_at(f)->name;
+    graph->panels = names;
+    graph->panel_count = count_of();
+    graph->plot.columns = 4;
+    graph->plot.aspect = 0.8;
+    bl_graph_draw(run, graph);
+}
+
 static void draw_steps(bl_run *run) {
     static double x[PLACES], step[FILTERS_MOST][PLACES], kernel[FILTERS_MOST][PLACES];
-    bl_column columns[1 + 2 * FILTERS_MOST] = {{"distance_widths", x, NULL}};
-    bl_series series[FILTERS_MOST][2];
-    bl_panel panels[FILTERS_MOST];
-    size_t count = count_of();
+    bl_line lines[FILTERS_MOST][2];
     for (int i = 0; i < PLACES; i++)
         x[i] = reach * (2.0 * i / (PLACES - 1) - 1);
-    for (size_t f = 0; f < count; f++) {
+    for (size_t f = 0; f < count_of(); f++) {
         const bl_filter *filter = bl_filter_at(f);
         for (int i = 0; i < PLACES; i++) {
             step[f][i] = filter->step(x[i]);
             kernel[f][i] = filter->kernel(x[i]);
         }
-        columns[1 + 2 * f] = (bl_column){bl_run_text(run, "%s_step", filter->name), step[f], NULL};
-        columns[2 + 2 * f] =
-            (bl_column){bl_run_text(run, "%s_kernel", filter->name), kernel[f], NULL};
-        for (int k = 0; k < 2; k++)
-            series[f][k] = (bl_series){k ? BL_STROKE_THIN : BL_STROKE_LINE,
-                                       k ? BL_INK_FOURTH : BL_INK_MEASURED,
-                                       "steps.csv",
-                                       "distance_widths",
-                                       columns[1 + 2 * f + (size_t)k].name,
-                                       NULL,
-                                       k ? "kernel" : "step",
-                                       0};
-        panels[f] = (bl_panel){filter->name, series[f], 2, NULL};
+        lines[f][0] = (bl_line){bl_run_text(run, "%s_step", filter->name), step[f], "step",
+                                BL_INK_MEASURED, BL_STROKE_LINE};
+        lines[f][1] = (bl_line){bl_run_text(run, "%s_kernel", filter->name), kernel[f], "kernel",
+                                BL_INK_FOURTH, BL_STROKE_THIN};
     }
-    bl_run_csv(run, "steps", "filtered steps and their kernels", columns, 1 + 2 * count, PLACES);
-    const bl_plot plot = {
-        .title = "What does each filter make of a step?",
-        .x = {.label = "distance from the edge, widths", .from = -reach, .to = reach, .tick = 2},
-        .y = {.label = "value", .from = -0.3, .to = 1.6, .tick = 0.5},
-        .panels = panels,
-        .panel_count = count,
-        .columns = 4,
-        .aspect = 0.8};
-    bl_run_plot(run, "steps", &plot,
-                "A panel for each filter: its kernel and the step that it makes. Those of box, "
-                "tent, parabola and Gaussian rise all the way; Catmull-Rom, Mitchell, Lanczos and "
-                "sinc dip below 0 and rise above 1, sinc again and again.");
+    draw(run,
+         &(bl_graph){
+             .name = "steps",
+             .what = "filtered steps and their kernels",
+             .x_name = "distance_widths",
+             .x = x,
+             .points = PLACES,
+             .lines = lines[0],
+             .line_count = 2 * count_of(),
+             .plot = {.title = "What does each filter make of a step?",
+                      .x = {"distance from the edge, widths", -reach, reach, 2, 0},
+                      .y = {"value", -0.3, 1.6, 0.5, 0}},
+             .alternative =
+                 "A panel for each filter: its kernel and the step that it makes. Those of box, "
+                 "tent, parabola and Gaussian rise all the way; Catmull-Rom, Mitchell, Lanczos and "
+                 "sinc dip below 0 and rise above 1, sinc again and again."});
 }
 
 static void draw_responses(bl_run *run) {
     static double frequency[FREQUENCIES], response[FILTERS_MOST][FREQUENCIES];
-    bl_column columns[1 + FILTERS_MOST] = {{"frequency_cycles_per_width", frequency, NULL}};
-    bl_series series[FILTERS_MOST];
-    bl_panel panels[FILTERS_MOST];
-    size_t count = count_of();
-    for (size_t f = 0; f < count; f++) {
+    static const bl_limit nyquist = {1, 0.5, "Nyquist"};
+    bl_line lines[FILTERS_MOST];
+    for (size_t f = 0; f < count_of(); f++) {
         const bl_filter *filter = bl_filter_at(f);
         for (int i = 0; i < FREQUENCIES; i++) {
             frequency[i] = highest * i / (FREQUENCIES - 1);
             response[f][i] = fmax(20 * log10(fabs(filter->response(frequency[i]))), floor_db - 20);
         }
-        columns[1 + f] = (bl_column){bl_run_text(run, "%s_db", filter->name), response[f], NULL};
-        series[f] = (bl_series){BL_STROKE_LINE,      BL_INK_MEASURED,
-                                "responses.csv",     "frequency_cycles_per_width",
-                                columns[1 + f].name, NULL,
-                                "response",          0};
-        panels[f] = (bl_panel){filter->name, &series[f], 1, NULL};
+        lines[f] = (bl_line){bl_run_text(run, "%s_db", filter->name), response[f], "response",
+                             BL_INK_MEASURED, BL_STROKE_LINE};
     }
-    bl_run_csv(run, "responses", "responses in dB of that at 0, cut off below -100 dB", columns,
-               1 + count, FREQUENCIES);
-    const bl_limit limits[] = {{1, 0.5, "Nyquist"}};
-    const bl_plot plot = {
-        .title = "What does each filter pass of each frequency?",
-        .x = {.label = "frequency, cycles per width", .to = highest, .tick = 1},
-        .y = {.label = "response, dB of that at 0", .from = floor_db, .to = 10, .tick = 20},
-        .panels = panels,
-        .panel_count = count,
-        .columns = 4,
-        .aspect = 0.8,
-        .limits = limits,
-        .limit_count = 1};
-    bl_run_plot(
-        run, "responses", &plot,
-        "A panel for each filter: the response in decibels over the frequency. The side lobes of "
-        "the box fall slowest; the Gaussian has none; sinc ends at the Nyquist frequency.");
+    draw(run, &(bl_graph){.name = "responses",
+                          .what = "responses in dB of that at 0, cut off below -100 dB",
+                          .x_name = "frequency_cycles_per_width",
+                          .x = frequency,
+                          .points = FREQUENCIES,
+                          .lines = lines,
+                          .line_count = count_of(),
+                          .plot = {.title = "What does each filter pass of each frequency?",
+                                   .x = {"frequency, cycles per width", 0, highest, 1, 0},
+                                   .y = {"response, dB of that at 0", floor_db, 10, 20, 0},
+                                   .limits = &nyquist,
+                                   .limit_count = 1},
+                          .alternative = "A panel for each filter: the response in decibels over "
+                                         "the frequency. The side lobes of "
+                                         "the box fall slowest; the Gaussian has none; sinc ends "
+                                         "at the Nyquist frequency."});
 }
 
 // --- numbers ------------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #ifndef BL_REPORTS_FIGURES_GALLERY_H
 #define BL_REPORTS_FIGURES_GALLERY_H
 
+#include "reports/figures/graph.h"
 #include "reports/measure.h"
 
 typedef struct bl_gallery {
@@ -53,24 +54,10 @@ void bl_gallery_draw_graphs(bl_run *run, const bl_gallery *gallery,
 
 // --- curves -------------------------------------------------------------------------------------
 
-// One curve a signal, of values that the figure measured over an x that all of them share.
-typedef struct bl_gallery_curves {
-    const char *name; // of the data file, which has a column for each signal, and of the plot
-    const char *what; // at the head of the data file
-    const char *title, *alternative;
-    const char *x_name;       // of the first column, with the unit: "distance_cells"
-    const double *x, *values; // `points` of x, and of each signal after the other; NaN: no value
-    size_t points;
-    bl_axis x_axis, y_axis;
-    bl_stroke stroke;
-    const char *label;     // in the legend
-    const bl_limit *limit; // or NULL
-    double aspect;
-} bl_gallery_curves;
-
-// Writes NAME.csv and the plot NAME.
-void bl_gallery_draw_curves(bl_run *run, const bl_gallery *gallery,
-                            const bl_gallery_curves *curves);
+// Draws one curve a signal, of values that the figure measured over the x of the graph, of each
+// signal after the other; a panel each. `label` is that of the legend.
+void bl_gallery_draw_curves(bl_run *run, const bl_gallery *gallery, const double *values,
+                            bl_stroke stroke, const char *label, const bl_graph *graph);
 
 // --- slices -------------------------------------------------------------------------------------
 

@@ -15,36 +15,6 @@ static void draw_line(const bl_signal *signal, const bl_gallery_graphs *graphs,
         out[i] = (double)row[i];
 }
 
-static void plot_graphs(bl_run *run, const bl_gallery *gallery, const bl_gallery_graphs *graphs,
-                        bl_axis y) {
-    size_t lines = graphs->line_count;
-    bl_series *series = bl_run_memory(run, gallery->count * lines, sizeof *series);
-    bl_panel *panels = bl_run_memory(run, gallery->count, sizeof *panels);
-    for (size_t i = 0; i < gallery->count; i++) {
-        for (size_t k = 0; k < lines; k++)
-            series[i * lines + k] =
-                (bl_series){.stroke = graphs->lines[k].stroke,
-                            .ink = graphs->lines[k].ink,
-                            .file = "graphs.csv",
-                            .x = "x",
-                            .y = bl_run_text(run, "%s_%s", gallery->key[i], graphs->lines[k].name),
-                            .label = graphs->lines[k].label};
-        panels[i] = (bl_panel){gallery->label[i], series + i * lines, lines, NULL};
-    }
-    const bl_limit zero = {0, 0, NULL};
-    const bl_plot plot = {.title = graphs->title,
-                          .x = {graphs->x_label, 0, graphs->length, graphs->length / 4},
-                          .y = y,
-                          .panels = panels,
-                          .panel_count = gallery->count,
-                          .columns = graphs->columns ? graphs->columns
-                                                     : bl_gallery_columns(gallery->count),
-                          .aspect = graphs->aspect,
-                          .limits = &zero,
-                          .limit_count = 1};
-    bl_run_plot(run, "graphs", &plot, graphs->alternative);
-}
-
 // A constant, or nothing finite at all, gets an axis with numbers, too.
 static bl_axis axis_of_values(const bl_axis *wanted, const double *values, size_t count) {
     bl_axis axis = *wanted;
@@ -65,21 +35,38 @@ static bl_axis axis_of_values(const bl_axis *wanted, const double *values, size_
 
 void bl_gallery_draw_graphs(bl_run *run, const bl_gallery *gallery,
                             const bl_gallery_graphs *graphs) {
-    size_t points = graphs->steps + 1, lines = graphs->line_count * gallery->count;
-    double *values = bl_run_memory(run, (lines + 1) * points, sizeof *values), *x = values;
+    size_t points = graphs->steps + 1, count = graphs->line_count * gallery->count;
+    double *x = bl_run_memory(run, points, sizeof *x);
+    double *values = bl_run_memory(run, count * points, sizeof *values);
     float *row = bl_run_memory(run, points, sizeof *row);
-    bl_column *columns = bl_run_memory(run, lines + 1, sizeof *columns);
+    bl_line *lines = bl_run_memory(run, count, sizeof *lines);
     for (size_t i = 0; i < points; i++)
         x[i] = graphs->length * (double)i / (double)graphs->steps;
-    columns[0] = (bl_column){"x", x, NULL};
-    for (size_t n = 0; n < lines; n++) {
+    for (size_t n = 0; n < count; n++) {
         size_t i = n / graphs->line_count;
         const bl_gallery_line *line = &graphs->lines[n % graphs->line_count];
-        draw_line(gallery->signal[i], graphs, line, row, x + (n + 1) * points);
-        columns[n + 1] = (bl_column){bl_run_text(run, "%s_%s", gallery->key[i], line->name),
-                                     x + (n + 1) * points, NULL};
+        draw_line(gallery->signal[i], graphs, line, row, values + n * points);
+        lines[n] = (bl_line){bl_run_text(run, "%s_%s", gallery->key[i], line->name),
+                             values + n * points, line->label, line->ink, line->stroke};
     }
-    bl_run_csv(run, "graphs", "values along lines parallel to the x axis", columns, lines + 1,
-               points);
-    plot_graphs(run, gallery, graphs, axis_of_values(&graphs->y, x + points, lines * points));
+    const bl_limit zero = {0, 0, NULL};
+    bl_graph_draw(
+        run, &(bl_graph){.name = "graphs",
+                         .what = "values along lines parallel to the x axis",
+                         .x_name = "x",
+                         .x = x,
+                         .points = points,
+                         .lines = lines,
+                         .line_count = count,
+                         .panels = gallery->label,
+                         .panel_count = gallery->count,
+                         .plot = {.title = graphs->title,
+                                  .x = {graphs->x_label, 0, graphs->length, graphs->length / 4},
+                                  .y = axis_of_values(&graphs->y, values, count * points),
+                                  .columns = graphs->columns ? graphs->columns
+                                                             : bl_gallery_columns(gallery->count),
+                                  .aspect = graphs->aspect,
+                                  .limits = &zero,
+                                  .limit_count = 1},
+                         .alternative = graphs->alternative});
 }

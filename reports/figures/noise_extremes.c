@@ -181,7 +181,7 @@ static void draw_errors(bl_run *run, const bl_gallery *gallery) {
         decade[d] = LOWEST + d;
     measure(run, gallery, values);
     const bl_limit half_ulp = {0, -24 * 0.30102999566398120, NULL};
-    const bl_gallery_curves curves = {
+    const bl_graph graph = {
         .name = "errors",
         .what =
             "log10 of the largest error against the double reference, by log10 of the coordinates",
@@ -192,15 +192,13 @@ static void draw_errors(bl_run *run, const bl_gallery *gallery) {
             "point.",
         .x_name = "decade",
         .x = decade,
-        .values = values,
         .points = DECADES,
-        .x_axis = {.label = "log10 of the coordinates", .from = LOWEST, .to = HIGHEST, .tick = 12},
-        .y_axis = {.label = "log10 of the largest error", .from = -9, .to = -4, .tick = 1},
-        .stroke = BL_STROKE_POINTS,
-        .label = "largest of 128 places",
-        .limit = &half_ulp,
-        .aspect = 0.6};
-    bl_gallery_draw_curves(run, gallery, &curves);
+        .plot.x = {.label = "log10 of the coordinates", .from = LOWEST, .to = HIGHEST, .tick = 12},
+        .plot.y = {.label = "log10 of the largest error", .from = -9, .to = -4, .tick = 1},
+        .plot.aspect = 0.6,
+        .plot.limits = &half_ulp,
+        .plot.limit_count = 1};
+    bl_gallery_draw_curves(run, gallery, values, BL_STROKE_POINTS, "largest of 128 places", &graph);
 }
 
 static void run_figure(bl_run *run) {

@@ -99,10 +99,10 @@ static void draw_deviations(bl_run *run, const bl_gallery *gallery) {
         deviation_along_edge(gallery->signal[s], &random,
                              (size_t)bl_run_pick(run, 2000, 40000, 400000), values[s]);
     }
-    const bl_gallery_curves curves = {
+    const bl_graph graph = {
         .name = "deviations",
         .what = "standard deviation along a lattice edge, over cells and seeds",
-        .title = "Where along a lattice edge do the octaves vanish?",
+        .plot.title = "Where along a lattice edge do the octaves vanish?",
         .alternative =
             "The standard deviation of four sums along an edge of the lattice of the lowest "
             "octave. With the ratio 2 it is 0 at both ends, where all octaves vanish together; "
@@ -110,14 +110,11 @@ static void draw_deviations(bl_run *run, const bl_gallery *gallery) {
             "above 0.05.",
         .x_name = "x_cells",
         .x = x,
-        .values = values[0],
         .points = PLACES,
-        .x_axis = {.label = "x within the cell of the lowest octave", .to = 1, .tick = 0.25},
-        .y_axis = {.label = "standard deviation", .to = 0.3, .tick = 0.1},
-        .stroke = BL_STROKE_LINE,
-        .label = "measured",
-        .aspect = 0.45};
-    bl_gallery_draw_curves(run, gallery, &curves);
+        .plot.x = {.label = "x within the cell of the lowest octave", .to = 1, .tick = 0.25},
+        .plot.y = {.label = "standard deviation", .to = 0.3, .tick = 0.1},
+        .plot.aspect = 0.45};
+    bl_gallery_draw_curves(run, gallery, values[0], BL_STROKE_LINE, "measured", &graph);
 }
 
 // --- the figure ---------------------------------------------------------------------------------

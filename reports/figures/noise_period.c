@@ -71,7 +71,7 @@ static void plot_correlations(bl_run *run, const bl_gallery *gallery, const prob
             values[i][d] =
                 correlation(gallery->signal[i], distance[d], p->count, bl_run_settings(run)->seed,
                             (double **)p->at, p->here, p->there);
-    const bl_gallery_curves curves = {
+    const bl_graph graph = {
         .name = "correlations",
         .what = "correlation of a noise with itself some cells away along x",
         .alternative =
@@ -80,14 +80,11 @@ static void plot_correlations(bl_run *run, const bl_gallery *gallery, const prob
             "hash it is about 0 from the second cell on.",
         .x_name = "distance_cells",
         .x = distance,
-        .values = values[0],
         .points = DISTANCES,
-        .x_axis = {.label = "distance along x, cells", .from = 1, .to = 200000, .logarithmic = 1},
-        .y_axis = {.label = "correlation", .from = -0.2, .to = 1.1, .tick = 0.2},
-        .stroke = BL_STROKE_POINTS,
-        .label = "measured",
-        .aspect = 0.4};
-    bl_gallery_draw_curves(run, gallery, &curves);
+        .plot.x = {.label = "distance along x, cells", .from = 1, .to = 200000, .logarithmic = 1},
+        .plot.y = {.label = "correlation", .from = -0.2, .to = 1.1, .tick = 0.2},
+        .plot.aspect = 0.4};
+    bl_gallery_draw_curves(run, gallery, values[0], BL_STROKE_POINTS, "measured", &graph);
 }
 
 static void claim_correlations(bl_run *run, const bl_gallery *gallery, const probes *p) {

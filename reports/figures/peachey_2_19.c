@@ -37,21 +37,21 @@ static void write_differences(bl_run *run, double *largest) {
         if (i >= 9 && i < 90)
             *largest = fmax(*largest, difference[i]);
     }
-    const bl_column columns[] = {{"b", b, NULL}, {"largest_difference", difference, NULL}};
-    bl_run_csv(run, "schlick",
-               "the largest difference of Schlick's bias from the power, over x from 0 to 1",
-               columns, 2, 99);
-    const bl_series series = {
-        BL_STROKE_LINE, BL_INK_MEASURED, "schlick.csv", "b", "largest_difference", NULL, NULL, 0};
-    const bl_panel panel = {"", &series, 1, NULL};
-    const bl_plot plot = {.title = "How far is Schlick's bias from the power?",
-                          .x = {"b", 0, 1, 0.25, 0},
-                          .y = {"largest difference", 0, 0, 0, 0},
-                          .panels = &panel,
-                          .panel_count = 1};
-    bl_run_plot(run, "schlick", &plot,
-                "The largest difference of the two forms against b: 0 at 1/2, where both are "
-                "straight, and rising to both sides.");
+    const bl_line line = {"largest_difference", difference, NULL, BL_INK_MEASURED, BL_STROKE_LINE};
+    bl_graph_draw(run, &(bl_graph){.name = "schlick",
+                                   .what = "the largest difference of Schlick's bias from the "
+                                           "power, over x from 0 to 1",
+                                   .x_name = "b",
+                                   .x = b,
+                                   .points = 99,
+                                   .lines = &line,
+                                   .line_count = 1,
+                                   .plot = {.title = "How far is Schlick's bias from the power?",
+                                            .x = {"b", 0, 1, 0.25, 0},
+                                            .y = {.label = "largest difference"}},
+                                   .alternative = "The largest difference of the two forms against "
+                                                  "b: 0 at 1/2, where both are straight, and "
+                                                  "rising to both sides."});
 }
 
 static void run_figure(bl_run *run) {

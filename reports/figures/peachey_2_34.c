@@ -10,10 +10,10 @@ static const char *const methods[] = {"point", "integral"};
 enum { POINT, INTEGRAL, METHODS };
 
 static void draw_widths(bl_run *run, const double *place, double width[METHODS][BL_WALL_JOINTS]) {
-    const bl_wall_row rows[METHODS] = {
-        {"point_mortars", "point sampled", width[POINT], BL_INK_THEORY},
-        {"integral_mortars", "box filtered", width[INTEGRAL], BL_INK_MEASURED}};
-    bl_wall_draw_widths(run, "level joints of the wall", place, rows, METHODS,
+    const bl_line lines[METHODS] = {
+        {"point_mortars", width[POINT], "point sampled", BL_INK_THEORY, BL_STROKE_POINTS},
+        {"integral_mortars", width[INTEGRAL], "box filtered", BL_INK_MEASURED, BL_STROKE_POINTS}};
+    bl_wall_draw_widths(run, "level joints of the wall", place, lines, METHODS,
                         "Dots of twenty joints: point sampled they jump between 0 and one and a "
                         "half, box filtered all lie at 1.");
 }

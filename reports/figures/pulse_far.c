@@ -12,6 +12,7 @@
 #include "core/random.h"
 #include "filters/pulse_train.h"
 #include "reports/figures/estimates.h"
+#include "reports/figures/graph.h"
 
 static const char section[] = "peachey2003, Example: Antialiased Brick Texture";
 
@@ -102,41 +103,39 @@ static void draw(bl_run *run, const errors *e) {
                                   BL_INK_PLAIN};
     const double *from[] = {e->worst[PHASES], e->worst[DOUBLES], e->worst[FLOATED], e->law,
                             e->law_of_floats};
+    static const char *const panel = "averages over 1/4 to 8 periods";
+    static const bl_limit limit = {0, -48.13, "1/255"};
     double values[5][EXPONENTS];
-    bl_column columns[6] = {{"log2_of_distance", e->distance, NULL}};
-    bl_series series[5];
+    bl_line lines[5];
     for (int k = 0; k < 5; k++) {
         for (int n = 0; n < EXPONENTS; n++) {
             int shown = n < FLOATS || (k != 2 && k != 4);
             values[k][n] = shown ? 20 * log10(fmax(from[k][n], 1e-17)) : NAN;
         }
-        columns[1 + k] = (bl_column){names[k], values[k], NULL};
-        series[k] = (bl_series){k < 3 ? BL_STROKE_LINE : BL_STROKE_DASHED,
-                                inks[k],
-                                "errors.csv",
-                                "log2_of_distance",
-                                names[k],
-                                NULL,
-                                labels[k],
-                                0};
+        lines[k] = (bl_line){names[k], values[k], labels[k], inks[k],
+                             k < 3 ? BL_STROKE_LINE : BL_STROKE_DASHED};
     }
-    bl_run_csv(run, "errors",
-               "largest error of the average of a pulse train, in dB of 1, and the law of it",
-               columns, 6, EXPONENTS);
-    const bl_panel panels[] = {{"averages over 1/4 to 8 periods", series, 5, NULL}};
-    const bl_limit limits[] = {{0, -48.13, "1/255"}};
-    const bl_plot plot = {
-        .x = {.label = "log2 of the distance, periods", .to = LAST, .tick = 5},
-        .y = {.label = "largest error, dB of 1", .from = -340, .to = 20, .tick = 40},
-        .panels = panels,
-        .panel_count = 1,
-        .aspect = 0.5,
-        .limits = limits,
-        .limit_count = 1};
-    bl_run_plot(run, "errors", &plot,
+    bl_graph_draw(
+        run,
+        &(bl_graph){
+            .name = "errors",
+            .what = "largest error of the average of a pulse train, in dB of 1, and the law of it",
+            .x_name = "log2_of_distance",
+            .x = e->distance,
+            .points = EXPONENTS,
+            .lines = lines,
+            .line_count = 5,
+            .panels = &panel,
+            .panel_count = 1,
+            .plot = {.x = {.label = "log2 of the distance, periods", .to = LAST, .tick = 5},
+                     .y = {.label = "largest error, dB of 1", .from = -340, .to = 20, .tick = 40},
+                     .aspect = 0.5,
+                     .limits = &limit,
+                     .limit_count = 1},
+            .alternative =
                 "Largest error in decibels over the distance from the origin in powers of two. The "
                 "difference of integrals rises by 6 dB for each doubling, along its law, in float "
-                "from about -120 dB at the origin; the average by phases stays at about -300 dB.");
+                "from about -120 dB at the origin; the average by phases stays at about -300 dB."});
 }
 
 // --- claims -------------------------------------------------------------------------------------

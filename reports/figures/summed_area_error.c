@@ -16,6 +16,7 @@
 
 #include "core/random.h"
 #include "reports/figures/estimates.h"
+#include "reports/figures/graph.h"
 #include "reports/measure.h"
 
 enum { KINDS = 3, SIZES_MOST = 7, SEEDS_MOST = 16, BOX = 16, SMALLEST = 32 };
@@ -85,51 +86,50 @@ static double law(double side, double area) {
 
 static void draw(bl_run *run, const measured *m) {
     double values[2][KINDS][SIZES_MOST], laws[2][SIZES_MOST];
-    bl_column columns[1 + 2 * (KINDS + 1)] = {{"side_pixels", m->side, NULL}};
-    bl_series series[2][KINDS + 1];
+    bl_line lines[2][KINDS + 1];
     static const bl_ink inks[KINDS] = {BL_INK_FIFTH, BL_INK_SECOND, BL_INK_THIRD};
     static const char *const places[2] = {"pixel", "box"};
-    size_t used = 1;
+    static const char *const panels[2] = {"means over single pixels", "means over 16 by 16 pixels"};
+    static const bl_limit limit = {0, -48.13, "1/255"};
     for (int b = 0; b < 2; b++) {
-        for (int k = 0; k <= KINDS; k++) {
-            const char *name = k < KINDS ? keys[k] : "law";
-            double *out = k < KINDS ? values[b][k] : laws[b];
+        for (int k = 0; k < KINDS; k++) {
             for (size_t n = 0; n < m->sizes; n++)
-                out[n] = k < KINDS
-                             ? 20 * log10(bl_mean_estimate(m->error[b][k][n], m->seeds, 0.95).value)
-                             : 20 * log10(law(m->side[n], b ? BOX * BOX : 1));
-            columns[used] = (bl_column){bl_run_text(run, "%s_%s_db", name, places[b]), out, NULL};
-            series[b][k] = (bl_series){k < KINDS ? BL_STROKE_LINE : BL_STROKE_DASHED,
-                                       k < KINDS ? inks[k] : BL_INK_PLAIN,
-                                       "errors.csv",
-                                       "side_pixels",
-                                       columns[used].name,
-                                       NULL,
-                                       k < KINDS ? labels[k] : "the law",
-                                       0};
-            used++;
+                values[b][k][n] =
+                    20 * log10(bl_mean_estimate(m->error[b][k][n], m->seeds, 0.95).value);
+            lines[b][k] = (bl_line){bl_run_text(run, "%s_%s_db", keys[k], places[b]), values[b][k],
+                                    labels[k], inks[k], BL_STROKE_LINE};
         }
+        for (size_t n = 0; n < m->sizes; n++)
+            laws[b][n] = 20 * log10(law(m->side[n], b ? BOX * BOX : 1));
+        lines[b][KINDS] = (bl_line){bl_run_text(run, "law_%s_db", places[b]), laws[b], "the law",
+                                    BL_INK_PLAIN, BL_STROKE_DASHED};
     }
-    bl_run_csv(run, "errors",
-               "rms error, in dB of 1, of means read off summed-area tables of white noise between "
-               "0 and 1",
-               columns, used, m->sizes);
-    const bl_panel panels[] = {{"means over single pixels", series[0], KINDS + 1, NULL},
-                               {"means over 16 by 16 pixels", series[1], KINDS + 1, NULL}};
-    const bl_limit limits[] = {{0, -48.13, "1/255"}};
-    const bl_plot plot = {
-        .x = {.label = "side of the image, pixels", .from = 24, .to = 2800, .logarithmic = 1},
-        .y = {.label = "rms error, dB of 1", .from = -200, .to = 0, .tick = 40},
-        .panels = panels,
-        .panel_count = 2,
-        .columns = 2,
-        .aspect = 0.9,
-        .limits = limits,
-        .limit_count = 1};
-    bl_run_plot(run, "errors", &plot,
+    bl_graph_draw(
+        run,
+        &(bl_graph){
+            .name = "errors",
+            .what = "rms error, in dB of 1, of means read off summed-area tables of white noise "
+                    "between 0 and 1",
+            .x_name = "side_pixels",
+            .x = m->side,
+            .points = m->sizes,
+            .lines = lines[0],
+            .line_count = 2 * (KINDS + 1),
+            .panels = panels,
+            .panel_count = 2,
+            .plot = {.x = {.label = "side of the image, pixels",
+                           .from = 24,
+                           .to = 2800,
+                           .logarithmic = 1},
+                     .y = {.label = "rms error, dB of 1", .from = -200, .to = 0, .tick = 40},
+                     .columns = 2,
+                     .aspect = 0.9,
+                     .limits = &limit,
+                     .limit_count = 1},
+            .alternative =
                 "Error in decibels over the side of the image. Tables of floats rise by 12 dB for "
                 "each doubling of the side, on the line of the law, those with the mean taken off "
-                "by 6; for single pixels of an image of 1024 the error passes 1/255.");
+                "by 6; for single pixels of an image of 1024 the error passes 1/255."});
 }
 
 // --- claims -------------------------------------------------------------------------------------

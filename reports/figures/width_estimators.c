@@ -10,6 +10,7 @@
 
 #include "filters/sample_width.h"
 #include "reports/figures/estimates.h"
+#include "reports/figures/graph.h"
 #include "reports/measure.h"
 
 static const char section[] = "peachey2003, Determining the Sampling Rate";
@@ -118,50 +119,45 @@ static void claim_turned(bl_run *run, double ratio[2][ESTIMATORS][ANGLES]) {
 static void draw_turned(bl_run *run, double ratio[2][ESTIMATORS][ANGLES]) {
     static const bl_ink inks[ESTIMATORS] = {BL_INK_MEASURED, BL_INK_THEORY, BL_INK_SECOND,
                                             BL_INK_FOURTH};
+    static const char *const panels[] = {"over the extent of the pixel",
+                                         "over the width that blurs as the pixel does"};
+    static const bl_limit right = {0, 1, "right"};
     double angle[ANGLES];
-    bl_column columns[1 + 2 * ESTIMATORS] = {{.name = "angle_degrees", .values = angle}};
-    bl_series series[2][ESTIMATORS];
+    bl_line lines[2][ESTIMATORS];
     for (int i = 0; i < ANGLES; i++)
         angle[i] = i;
     for (int truth = 0; truth < 2; truth++)
-        for (int e = 0; e < ESTIMATORS; e++) {
-            const char *name =
-                bl_run_text(run, "%s_over_%s", words[e], truth ? "same_blur" : "extent");
-            columns[1 + truth * ESTIMATORS + e] =
-                (bl_column){.name = name, .values = ratio[truth][e]};
-            series[truth][e] =
-                (bl_series){.stroke = e == DISTANCE ? BL_STROKE_DASHED : BL_STROKE_LINE,
-                            .ink = inks[e],
-                            .file = "turned.csv",
-                            .x = "angle_degrees",
-                            .y = name,
-                            .label = titles[e]};
-        }
-    const bl_panel panels[] = {
-        {.title = "over the extent of the pixel", .series = series[0], .series_count = ESTIMATORS},
-        {.title = "over the width that blurs as the pixel does",
-         .series = series[1],
-         .series_count = ESTIMATORS}};
-    const bl_limit limits[] = {{0, 1, "right"}};
-    const bl_plot plot = {
-        .title = "How wide is a sample of a texture that is turned?",
-        .x = {.label = "angle, degrees", .to = 90, .tick = 15},
-        .y = {.label = "estimated width, true widths", .from = 0.4, .to = 1.6, .tick = 0.2},
-        .panels = panels,
-        .panel_count = 2,
-        .columns = 2,
-        .aspect = 0.8,
-        .limits = limits,
-        .limit_count = 1};
-    bl_run_csv(run, "turned",
-               "estimated width over the extent of the pixel along the axis, and over the width of "
-               "the box with the pixel's own variance",
-               columns, 1 + 2 * ESTIMATORS, ANGLES);
-    bl_run_plot(
-        run, "turned", &plot,
-        "Ratios against the angle. The sum covers the extent at every angle and is up to 1.41 "
-        "times as wide as blurs like the pixel; the larger derivative falls to half the extent at "
-        "45 degrees; the length of the gradient blurs like the pixel at every angle.");
+        for (int e = 0; e < ESTIMATORS; e++)
+            lines[truth][e] =
+                (bl_line){bl_run_text(run, "%s_over_%s", words[e], truth ? "same_blur" : "extent"),
+                          ratio[truth][e], titles[e], inks[e],
+                          e == DISTANCE ? BL_STROKE_DASHED : BL_STROKE_LINE};
+    bl_graph_draw(
+        run,
+        &(bl_graph){
+            .name = "turned",
+            .what = "estimated width over the extent of the pixel along the axis, and over the "
+                    "width of the box with the pixel's own variance",
+            .x_name = "angle_degrees",
+            .x = angle,
+            .points = ANGLES,
+            .lines = lines[0],
+            .line_count = 2 * ESTIMATORS,
+            .panels = panels,
+            .panel_count = 2,
+            .plot = {.title = "How wide is a sample of a texture that is turned?",
+                     .x = {.label = "angle, degrees", .to = 90, .tick = 15},
+                     .y = {"estimated width, true widths", 0.4, 1.6, 0.2, 0},
+                     .columns = 2,
+                     .aspect = 0.8,
+                     .limits = &right,
+                     .limit_count = 1},
+            .alternative =
+                "Ratios against the angle. The sum covers the extent at every angle and is up to "
+                "1.41 "
+                "times as wide as blurs like the pixel; the larger derivative falls to half the "
+                "extent at "
+                "45 degrees; the length of the gradient blurs like the pixel at every angle."});
 }
 
 // --- views in perspective -----------------------------------------------------------------------
