@@ -14,6 +14,8 @@ BUILD ?= build
 CFLAGS ?= -O3 -g
 CXXFLAGS ?= -O2 -g
 TEST_CFLAGS ?= -O1 -g
+STRIP ?= strip
+OBJCOPY ?= objcopy
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 VERSION := $(shell sed -n 's/.*BL_VERSION "\(.*\)".*/\1/p' core/version.h)
 SOVERSION := 0
@@ -22,7 +24,7 @@ SOVERSION := 0
 
 NOISES := $(shell sed -n 's/^BL_NOISE(\(.*\))/\1/p' noises/noises.def)
 ISAS := baseline v3 v4
-FOLDERS := core filters noises textures sources spectra aliasing score reports
+FOLDERS := core filters noises textures sources spectra aliasing score reports api
 LIBRARY_C := $(filter-out $(NOISES:%=noises/%.c),$(wildcard $(FOLDERS:%=%/*.c) $(FOLDERS:%=%/*/*.c)))
 LIBRARY_OBJECTS := $(LIBRARY_C:%.c=$(BUILD)/%.o) \
     $(foreach isa,$(ISAS),$(NOISES:%=$(BUILD)/noises/%.$(isa).o))
@@ -31,7 +33,6 @@ TESTS := $(patsubst tests/%.c,%,$(wildcard tests/t-*.c))
 TEST_HELPERS := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/t-*.c),$(wildcard tests/*.c)))
 IMAGE_OBJECTS := $(BUILD)/core/oiio.o $(BUILD)/core/status.o
 OBJECTS := $(LIBRARY_OBJECTS) $(IMAGE_OBJECTS) $(PROGRAM_OBJECTS) $(TESTS:%=$(BUILD)/tests/%.o) $(TEST_HELPERS)
-PUBLIC_HEADERS := $(shell sed -n 's/^\#include "\(.*\)"/\1/p' include/bandlimit.h)
 
 # Expanded when first used, and once: `make deps` may have to install pkg-config first.
 once = $(eval $(1) := $(shell $(2)))$($(1))
@@ -51,7 +52,8 @@ C_WARNINGS := $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes
 # other two flags change no value; they free the compiler from errno and from floating traps.
 NUMBERS := -ffp-contract=off -fno-math-errno -fno-trapping-math
 COMMON := -I. -fPIC -fopenmp -MMD -MP $(SANITIZE)
-COMPILE_C = $(CC) -std=gnu17 -D_GNU_SOURCE $(C_WARNINGS) $(NUMBERS) $(COMMON) $(PACKAGE_FLAGS) $(CFLAGS)
+COMPILE_C = $(CC) -std=gnu17 -D_GNU_SOURCE $(C_WARNINGS) $(NUMBERS) $(COMMON) $(PACKAGE_FLAGS) \
+    $(CPPFLAGS) $(CFLAGS)
 LIBS = $(PACKAGE_LIBS) -lfftw3_omp -lfftw3f_omp -lpthread -ldl -lm
 
 ISA_FLAGS_baseline := -march=x86-64-v2
@@ -77,7 +79,7 @@ $(BUILD)/%.o: %.c
 $(BUILD)/core/oiio.o: core/oiio.cpp
 	@mkdir -p $(@D)
 	$(call say,compile)
-	$(Q)$(CXX) -std=c++17 -fvisibility=hidden $(WARNINGS) $(COMMON) $(OIIO_FLAGS) $(CXXFLAGS) -c $< -o $@
+	$(Q)$(CXX) -std=c++17 -fvisibility=hidden $(WARNINGS) $(COMMON) $(OIIO_FLAGS) $(CPPFLAGS) $(CXXFLAGS) -c $< -o $@
 
 # Where it finds bandlimit-images.so when that is not beside it.
 $(BUILD)/core/image_library.o: COMMON += -DBL_LIBRARY_FOLDER='"$(LIBDIR)"' \
@@ -99,11 +101,22 @@ $(BUILD)/bandlimit-images.so: $(IMAGE_OBJECTS) core/oiio.map
 $(BUILD)/libbandlimit.a: $(LIBRARY_OBJECTS)
 	$(call say,archive)
 	@rm -f $@
-	$(Q)ar rcs $@ $^
+	$(Q)$(AR) rcs $@ $^
 
-$(BUILD)/libbandlimit.so.$(SOVERSION): $(LIBRARY_OBJECTS)
+# The archive that is installed: one object, in which only the public functions have names. The one
+# above is for the program and the tests, which know the inside.
+$(BUILD)/installed/libbandlimit.a: $(LIBRARY_OBJECTS)
+	@mkdir -p $(@D)
+	$(call say,archive)
+	$(Q)$(CC) -r -nostdlib $^ -o $(@D)/bandlimit.o
+	$(Q)$(OBJCOPY) --wildcard --keep-global-symbol='bandlimit_*' --strip-unneeded $(@D)/bandlimit.o
+	@rm -f $@
+	$(Q)$(AR) rcs $@ $(@D)/bandlimit.o
+
+$(BUILD)/libbandlimit.so.$(SOVERSION): $(LIBRARY_OBJECTS) api/exports.map
 	$(call say,link)
-	$(Q)$(CC) -shared -Wl,-soname,$(@F) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) -o $@
+	$(Q)$(CC) -shared -Wl,-soname,$(@F) -Wl,--version-script=api/exports.map -fopenmp $(SANITIZE) \
+	    $(LIBRARY_OBJECTS) $(LDFLAGS) $(LIBS) -o $@
 
 $(BUILD)/libbandlimit.so: $(BUILD)/libbandlimit.so.$(SOVERSION)
 	@ln -sf $(<F) $@
@@ -112,9 +125,12 @@ $(BUILD)/bandlimit: $(PROGRAM_OBJECTS) $(BUILD)/libbandlimit.a
 	$(call say,link)
 	$(Q)$(CC) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) -o $@
 
+# The folders as pkg-config wants them: below the prefix, so that it can be set anew.
+PC = sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR:$(PREFIX)/%=$${prefix}/%)|; \
+    s|@VERSION@|$(VERSION)|' bandlimit.pc.in
 $(BUILD)/bandlimit.pc: bandlimit.pc.in core/version.h
 	@mkdir -p $(@D)
-	@sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@VERSION@|$(VERSION)|' $< > $@
+	@$(PC) > $@
 
 # --- tests --------------------------------------------------------------------------------------
 
@@ -149,6 +165,8 @@ $(BUILD)/tests/plugins/%: tests/plugins/%.c
 	$(Q)$(CC) -std=gnu17 -D_GNU_SOURCE $(C_WARNINGS) -O1 -g $< -o $@
 $(addprefix $(BUILD)/tests/,t-plugin t-program t-compare t-cli-score): | $(USER_SOURCES)
 
+$(BUILD)/tests/t-install: | all $(BUILD)/installed/libbandlimit.a
+
 # A log is always made anew; the last line counts what all of them say. REPEAT is the command that
 # a failed test is repeated with, but for T.
 LOGS := $(SELECTED:%=$(BUILD)/tests/%.log)
@@ -156,7 +174,8 @@ AT_SCALE := $(if $(filter-out file,$(origin SCALE)), SCALE=$(SCALE))
 REPEAT = make check$(AT_SCALE)
 .PHONY: $(LOGS)
 $(LOGS): %.log: % $(BUILD)/bandlimit $(BUILD)/bandlimit-images.so
-	@BL_PROGRAM=$(BUILD)/bandlimit BL_BUILD=$(BUILD) T='$(T)' SCALE='$(SCALE)' REPEAT='$(REPEAT)' \
+	@BL_PROGRAM=$(BUILD)/bandlimit BL_BUILD=$(BUILD) BL_SANITIZE='$(SANITIZE)' CC='$(CC)' CXX='$(CXX)' \
+	    T='$(T)' SCALE='$(SCALE)' REPEAT='$(REPEAT)' \
 	    sh tests/run.sh $< $@
 
 tests: $(BUILD)/bandlimit $(BUILD)/bandlimit-images.so $(SELECTED:%=$(BUILD)/tests/%)
@@ -206,21 +225,21 @@ docs: all
 	sh docs/tables.sh $(BUILD)/bandlimit noises > $(BUILD)/noises.md && mv $(BUILD)/noises.md docs/
 	sh docs/tables.sh $(BUILD)/bandlimit speeds > $(BUILD)/speeds.md && mv $(BUILD)/speeds.md docs/
 
-install: all
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(LIBDIR)/bandlimit $(DESTDIR)$(LIBDIR)/pkgconfig \
+install: all $(BUILD)/installed/libbandlimit.a
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/include \
+	    $(DESTDIR)$(LIBDIR)/bandlimit $(DESTDIR)$(LIBDIR)/pkgconfig \
 	    $(DESTDIR)$(PREFIX)/share/man/man1 \
 	    $(DESTDIR)$(PREFIX)/share/bash-completion/completions
 	install -m 755 $(BUILD)/bandlimit $(DESTDIR)$(PREFIX)/bin/
-	install -m 644 $(BUILD)/libbandlimit.a $(DESTDIR)$(LIBDIR)/
+	install -m 644 $(BUILD)/installed/libbandlimit.a $(DESTDIR)$(LIBDIR)/
 	install -m 755 $(BUILD)/libbandlimit.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/
 	install -m 755 $(BUILD)/bandlimit-images.so $(DESTDIR)$(LIBDIR)/bandlimit/
 	ln -sf libbandlimit.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/libbandlimit.so
-	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@VERSION@|$(VERSION)|' bandlimit.pc.in \
-	    > $(DESTDIR)$(LIBDIR)/pkgconfig/bandlimit.pc
-	for header in $(PUBLIC_HEADERS); do \
-	    install -D -m 644 $$header $(DESTDIR)$(PREFIX)/include/bandlimit/$$header; done
-	install -m 644 include/bandlimit.h $(DESTDIR)$(PREFIX)/include/bandlimit/
-	install -m 644 include/bandlimit_plugin.h $(DESTDIR)$(PREFIX)/include/
+	$(STRIP) --strip-unneeded $(DESTDIR)$(PREFIX)/bin/bandlimit \
+	    $(DESTDIR)$(LIBDIR)/libbandlimit.so.$(SOVERSION) \
+	    $(DESTDIR)$(LIBDIR)/bandlimit/bandlimit-images.so
+	$(PC) > $(DESTDIR)$(LIBDIR)/pkgconfig/bandlimit.pc
+	install -m 644 include/bandlimit.h include/bandlimit_plugin.h $(DESTDIR)$(PREFIX)/include/
 	install -m 644 man/bandlimit.1 $(DESTDIR)$(PREFIX)/share/man/man1/
 	install -m 644 completion/bandlimit.bash \
 	    $(DESTDIR)$(PREFIX)/share/bash-completion/completions/bandlimit

@@ -4,10 +4,12 @@
 // rest by the one that core/image_library.h loads.
 #include "core/image.h"
 
+#include <limits.h>
 #include <string.h>
 #include <strings.h>
 
 #include "core/file.h"
+#include "core/grammar.h"
 #include "core/image_library.h"
 #include "core/texels.h"
 
@@ -69,6 +71,11 @@ static const bl_image_library *loaded(void) {
     const bl_image_library *library;
     bl_image_library_load(&library, NULL);
     return library;
+}
+
+int bl_channel_index(const char *channel) {
+    unsigned long long index;
+    return channel && bl_read_unsigned(channel, &index) && index <= INT_MAX ? (int)index : -1;
 }
 
 bl_status bl_pixels_open(const bl_pixels_choice *choice, bl_pixels **pixels, bl_pixels_facts *facts,

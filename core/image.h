@@ -44,7 +44,7 @@ typedef struct bl_pixels bl_pixels;
 typedef struct bl_pixels_choice {
     const char *path;
     const char *channel; // its name; NULL: the first
-    int channel_index;   // where no channel has that name; -1: none
+    int channel_index;   // where no channel has that name (bl_channel_index); -1: none
     int part;            // of a multi-part file; -1: not chosen
     size_t memory_bytes; // held at most; a larger image is read in blocks
 } bl_pixels_choice;
@@ -53,6 +53,9 @@ typedef struct bl_pixels_facts {
     size_t width, height;
     char spacing[64]; // what the file says of "bandlimit:spacing"; "" if nothing
 } bl_pixels_facts;
+
+// The index that a channel is called by, or -1.
+int bl_channel_index(const char *channel);
 
 // Opens the pixels, whose values are as stored; integers are divided by their full scale. The whole
 // image is read once, so that a damaged one is refused here. The caller ends with bl_pixels_close.

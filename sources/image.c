@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
 // An image by its text: the settings behind the name of a file, as sources/source.h states them.
-#include <limits.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -181,14 +180,11 @@ static bl_status find_spacing(const bl_pixels_facts *facts, const char *path, do
 // Opens the file and makes the signal. `settings` may leave the spacing open, 0.
 static bl_status open_image(const char *text, const char *path, const char *channel,
                             const image_settings *settings, bl_signal **out, bl_message *message) {
-    unsigned long long index;
-    const bl_pixels_choice choice = {
-        .path = path,
-        .channel = channel,
-        .channel_index =
-            channel && bl_read_unsigned(channel, &index) && index <= INT_MAX ? (int)index : -1,
-        .part = (int)settings->part,
-        .memory_bytes = (size_t)(settings->memory * 1048576)};
+    const bl_pixels_choice choice = {.path = path,
+                                     .channel = channel,
+                                     .channel_index = bl_channel_index(channel),
+                                     .part = (int)settings->part,
+                                     .memory_bytes = (size_t)(settings->memory * 1048576)};
     bl_pixels_facts facts;
     image_block block = {.grid = {.dims = 2,
                                   .spacing = settings->spacing,
