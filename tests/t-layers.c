@@ -168,25 +168,34 @@ static int has_source(const char *object) {
     return 0;
 }
 
-static size_t visit_object(const char *file, const char *name, void *user) {
-    symbols *all = user;
-    char command[600], line[1024];
-    if (!has_ending(name, ".o") || !has_source(file + strlen(build_folder()) + 1))
-        return 0;
-    snprintf(command, sizeof command, "nm -P -g '%s'", file);
+// Adds the symbols of all objects below a folder; returns how many objects there are. One program
+// reads them all: one for each object takes ten times as long.
+static size_t read_objects(const char *folder, symbols *all) {
+    char command[600], line[1024], last[NAME_SIZE] = "";
+    size_t objects = 0;
+    int is_ours = 0;
+    snprintf(command, sizeof command, "find '%s' -name '*.o' -exec nm -A -P -g {} +", folder);
     FILE *pipe = popen(command, "r");
     assert_non_null(pipe);
     while (fgets(line, sizeof line, pipe)) {
         symbol *next = &all->list[all->count];
-        char kind;
-        if (sscanf(line, "%159s %c", next->name, &kind) != 2 || strncmp(next->name, "_Z", 2) == 0)
+        char kind, *file = line + strlen(build_folder()) + 1, *end = strstr(line, ": ");
+        assert_non_null(end);
+        *end = '\0';
+        if (strcmp(file, last) != 0) {
+            snprintf(last, sizeof last, "%s", file);
+            is_ours = has_source(file);
+            objects += (size_t)is_ours;
+        }
+        if (sscanf(end + 2, "%159s %c", next->name, &kind) != 2 ||
+            strncmp(next->name, "_Z", 2) == 0 || !is_ours)
             continue;
-        snprintf(next->file, sizeof next->file, "%s", file + strlen(build_folder()) + 1);
+        snprintf(next->file, sizeof next->file, "%s", file);
         next->defined = kind != 'U' && kind != 'w' && kind != 'v';
         assert_true(++all->count < SYMBOLS_MOST);
     }
     assert_int_equal(pclose(pipe), 0);
-    return 1;
+    return objects;
 }
 
 static int by_name(const void *a, const void *b) {
@@ -216,7 +225,7 @@ static void test_each_folder_links_only_what_stands_above_it(void **state) {
     for (size_t i = 0; i < LAYERS; i++) {
         char folder[256];
         snprintf(folder, sizeof folder, "%s/%s", build_folder(), layers[i].folder);
-        objects += walk(folder, visit_object, &all);
+        objects += read_objects(folder, &all);
     }
     qsort(all.list, all.count, sizeof *all.list, by_name);
     for (size_t i = 0; i < all.count; i += same) {
