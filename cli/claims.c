@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/claims.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "cli/csv.h"
@@ -18,6 +17,14 @@ typedef struct claim_line {
     bl_verdict verdict;
 } claim_line;
 
+#define AT(member) .offset = offsetof(claim_line, member)
+static const bl_field claim_fields[] = {{"claim", "claim or fact", BL_CELL_WORD, AT(name)},
+                                        {"property", NULL, BL_CELL_WORD, AT(property)},
+                                        {"verdict", "verdict", BL_CELL_VERDICT, AT(verdict)},
+                                        {"reason", "reason", BL_CELL_WORD, AT(reason)},
+                                        {0}};
+#undef AT
+
 // Every claim of a property that has several, and every other property that is judged against what
 // the signal states.
 static size_t list_claims(const bl_score *score, claim_line lines[MOST]) {
@@ -32,22 +39,6 @@ static size_t list_claims(const bl_score *score, claim_line lines[MOST]) {
             lines[count++] = (claim_line){name, name, result->reason, result->verdict};
     }
     return count;
-}
-
-// That it is a function of the place is stated by being a signal; more than that must be stated,
-// and a grid has no values between its samples of which more could be true.
-static int states_something(const bl_signal *signal) {
-    const bl_facts *facts = &signal->facts;
-    if (isfinite(bl_score_bound(signal)) || isfinite(facts->mean) || isfinite(facts->variance) ||
-        bl_score_states_band(signal))
-        return 1;
-    if (bl_score_on_grid(signal))
-        return 0;
-    for (unsigned a = 0; a < signal->dimensions; a++)
-        if (!isnan(facts->period[a]))
-            return 1;
-    return facts->continuity >= -1 || facts->far > 0 || facts->stationary == 1 ||
-           facts->isotropic == 1 || signal->functions->gradient;
 }
 
 static bl_status report_nothing(bl_call *call, const bl_signal *signal) {
@@ -68,20 +59,12 @@ static bl_verdict verdict_of(const claim_line *lines, size_t count) {
 static void report_json(json_t *object, const bl_scorecard *card, const claim_line *lines,
                         size_t count, double alpha) {
     bl_verdict verdict = verdict_of(lines, count);
-    json_t *claims = json_array(), *properties = json_object();
+    json_t *properties = json_object();
     bl_json_set_text(object, "verdict", bl_verdict_word(verdict));
     bl_json_set_count(object, "exit_status", (uint64_t)bl_verdict_status(verdict));
     bl_json_set_text(object, "signal", card->signal->text);
     bl_json_set_number(object, "alpha", alpha);
-    for (size_t i = 0; i < count; i++) {
-        json_t *claim = json_object();
-        bl_json_set_text(claim, "claim", lines[i].name);
-        bl_json_set_text(claim, "property", lines[i].property);
-        bl_json_set_text(claim, "verdict", bl_verdict_word(lines[i].verdict));
-        bl_json_set_text(claim, "reason", lines[i].reason);
-        json_array_append_new(claims, claim);
-    }
-    json_object_set_new(object, "claims", claims);
+    json_object_set_new(object, "claims", bl_table_json(&BL_TABLE(claim_fields, lines, count)));
     for (size_t i = 0; i < bl_property_count(); i++)
         if (card->score.properties[i].against == BL_AGAINST_CLAIM)
             json_object_set_new(properties, bl_property_at(i)->name,
@@ -92,34 +75,12 @@ static void report_json(json_t *object, const bl_scorecard *card, const claim_li
 static void report_text(bl_call *call, const bl_scorecard *card, const claim_line *lines,
                         size_t count) {
     FILE *out = call->out;
+    bl_table table = BL_TABLE(claim_fields, lines, count);
+    table.coloured = bl_call_coloured(call);
     bl_plain_text(out, card->signal->text);
-    fprintf(out, ": %zu claim%s\n", count, bl_plural(count));
-    for (size_t i = 0; i < count; i++) {
-        const char *word = bl_verdict_word(lines[i].verdict);
-        fprintf(out, "%-14s %s%*s  ", lines[i].name, bl_call_verdict(call, lines[i].verdict),
-                (int)(12 - strlen(word)), "");
-        bl_plain_text(out, lines[i].reason);
-        fputc('\n', out);
-    }
+    fprintf(out, ": %zu claim%s\n\n", count, bl_plural(count));
+    bl_table_print(&table, out);
     fprintf(out, "%-14s %s\n", "verdict", bl_call_verdict(call, verdict_of(lines, count)));
-}
-
-static bl_status write_csv(bl_call *call, const bl_scorecard *card, const claim_line *lines,
-                           size_t count) {
-    bl_file file;
-    bl_status status = bl_csv_open(call, &file);
-    if (status != BL_OK)
-        return status;
-    bl_csv_comment(file.stream, "bandlimit check", BL_VERSION);
-    bl_csv_comment(file.stream, "signal", card->signal->text);
-    fputs("claim,property,verdict,reason\n", file.stream);
-    for (size_t i = 0; i < count; i++) {
-        bl_csv_word(file.stream, lines[i].name), fputc(',', file.stream);
-        bl_csv_word(file.stream, lines[i].property), fputc(',', file.stream);
-        bl_csv_word(file.stream, bl_verdict_word(lines[i].verdict)), fputc(',', file.stream);
-        bl_csv_word(file.stream, lines[i].reason), fputc('\n', file.stream);
-    }
-    return bl_csv_close(call, &file);
 }
 
 static bl_status report(bl_call *call, const bl_scorecard *card, double alpha,
@@ -131,7 +92,9 @@ static bl_status report(bl_call *call, const bl_scorecard *card, double alpha,
         report_json(call->json, card, lines, count, alpha);
     else if (!call->common.quiet)
         report_text(call, card, lines, count);
-    return call->path ? write_csv(call, card, lines, count) : BL_OK;
+    return call->path
+               ? bl_csv_write(call, card->signal->text, NULL, &BL_TABLE(claim_fields, lines, count))
+               : BL_OK;
 }
 
 bl_status bl_check_claims(bl_call *call, double alpha) {
@@ -143,7 +106,7 @@ bl_status bl_check_claims(bl_call *call, double alpha) {
     char doing[256];
     snprintf(doing, sizeof doing, "checking the claims of %s", text);
     bl_status status = bl_call_open(call, text, &card.signal);
-    if (status == BL_OK && !states_something(card.signal))
+    if (status == BL_OK && !bl_score_states_something(card.signal))
         status = report_nothing(call, card.signal);
     if (status == BL_OK)
         status = bl_scorecard_measure(call, text, doing, &settings, wanted, &card);

@@ -25,7 +25,8 @@ bl_status bl_csv_write(bl_call *call, const char *signal, const bl_table *record
     bl_csv_comment(file.stream, title, BL_VERSION);
     if (signal)
         bl_csv_comment(file.stream, "signal", signal);
-    bl_record_csv(record, file.stream);
+    if (record)
+        bl_record_csv(record, file.stream);
     bl_table_csv(rows, file.stream);
     return bl_csv_close(call, &file);
 }

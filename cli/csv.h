@@ -13,7 +13,8 @@
 bl_status bl_csv_open(bl_call *call, bl_file *file);
 // Commits the file.
 bl_status bl_csv_close(bl_call *call, bl_file *file);
-// All of it: as comments the version, what is measured (NULL: nothing) and the record; the rows.
+// All of it: as comments the version, what is measured and the record, each
+// if there is one; the rows.
 bl_status bl_csv_write(bl_call *call, const char *signal, const bl_table *record,
                        const bl_table *rows);
 

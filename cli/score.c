@@ -105,49 +105,79 @@ static void report_json(bl_call *call, const bl_scorecard *cards, size_t count,
     json_object_set_new(call->json, "rows", rows);
 }
 
-static void write_row(FILE *out, const bl_signal *signal, const bl_property *property,
-                      const bl_score_property *result, const bl_score_number *number) {
-    bl_csv_word(out, signal->text), fputc(',', out);
-    bl_csv_word(out, property->name), fputc(',', out);
-    bl_csv_word(out, bl_verdict_word(result->verdict)), fputc(',', out);
-    bl_csv_word(out, bl_score_against_word(result->against)), fputc(',', out);
-    bl_csv_word(out, number ? number->name : ""), fputc(',', out);
-    if (!number) {
-        fputs(",,,,", out);
-    } else {
-        int seen = number->estimate.level <= 0;
-        bl_csv_number(out, number->estimate.value), fputc(',', out);
-        bl_csv_number(out, seen ? NAN : number->estimate.lower), fputc(',', out);
-        bl_csv_number(out, seen ? NAN : number->estimate.upper), fputc(',', out);
-        bl_csv_number(out, number->estimate.level), fputc(',', out);
-        bl_csv_number(out, number->estimate.samples > 0 ? number->estimate.samples : NAN),
-            fputc(',', out);
-    }
-    bl_csv_word(out, result->reason), fputc('\n', out);
+// A line of the data file: a number of a property, or a property that has none.
+typedef struct score_line {
+    const char *signal, *property, *against, *number, *reason;
+    bl_verdict verdict;
+    double value, lower, upper, level, samples;
+} score_line;
+
+#define AT(member) .offset = offsetof(score_line, member)
+static const bl_field line_fields[] = {
+    {"signal", NULL, BL_CELL_WORD, AT(signal)},      {"property", NULL, BL_CELL_WORD, AT(property)},
+    {"verdict", NULL, BL_CELL_VERDICT, AT(verdict)}, {"against", NULL, BL_CELL_WORD, AT(against)},
+    {"number", NULL, BL_CELL_WORD, AT(number)},      {"value", NULL, BL_CELL_REAL, AT(value)},
+    {"lower", NULL, BL_CELL_REAL, AT(lower)},        {"upper", NULL, BL_CELL_REAL, AT(upper)},
+    {"level", NULL, BL_CELL_REAL, AT(level)},        {"samples", NULL, BL_CELL_REAL, AT(samples)},
+    {"reason", NULL, BL_CELL_WORD, AT(reason)},      {0}};
+#undef AT
+
+static score_line line_of(const bl_signal *signal, const bl_property *property,
+                          const bl_score_property *result, const bl_score_number *number) {
+    score_line line = {.signal = signal->text,
+                       .property = property->name,
+                       .against = bl_score_against_word(result->against),
+                       .reason = result->reason,
+                       .verdict = result->verdict,
+                       .value = NAN,
+                       .lower = NAN,
+                       .upper = NAN,
+                       .level = NAN,
+                       .samples = NAN};
+    if (!number)
+        return line;
+    int seen = number->estimate.level <= 0;
+    line.number = number->name;
+    line.value = number->estimate.value;
+    line.lower = seen ? NAN : number->estimate.lower;
+    line.upper = seen ? NAN : number->estimate.upper;
+    line.level = number->estimate.level;
+    line.samples = number->estimate.samples > 0 ? number->estimate.samples : NAN;
+    return line;
 }
 
-// A row for each number; one without a number for a property that has none.
-static bl_status write_csv(bl_call *call, const bl_scorecard *cards, size_t count,
-                           const bl_score_settings *used) {
-    bl_file file;
-    bl_status status = bl_csv_open(call, &file);
-    if (status != BL_OK)
-        return status;
-    char text[128];
-    snprintf(text, sizeof text, "alpha %g, level %g, size %s, seed %llu", used->alpha, used->level,
-             bl_size_word(used->size), (unsigned long long)used->seed);
-    bl_csv_comment(file.stream, "bandlimit score", BL_VERSION);
-    bl_csv_comment(file.stream, "settings", text);
-    fputs("signal,property,verdict,against,number,value,lower,upper,level,samples,reason\n",
-          file.stream);
-    for (size_t s = 0; s < count; s++)
+// NULL out of memory; the caller frees it.
+static score_line *lines_of(const bl_scorecard *cards, size_t count, size_t *found) {
+    score_line *lines = malloc(count * bl_property_count() * BL_SCORE_NUMBERS * sizeof *lines);
+    *found = 0;
+    for (size_t s = 0; lines && s < count; s++)
         for (size_t i = 0; i < bl_property_count(); i++) {
             const bl_score_property *result = &cards[s].score.properties[i];
             for (size_t k = 0; k < (result->count ? result->count : 1); k++)
-                write_row(file.stream, cards[s].signal, bl_property_at(i), result,
-                          result->count ? &result->numbers[k] : NULL);
+                lines[(*found)++] = line_of(cards[s].signal, bl_property_at(i), result,
+                                            result->count ? &result->numbers[k] : NULL);
         }
-    return bl_csv_close(call, &file);
+    return lines;
+}
+
+static bl_status write_csv(bl_call *call, const bl_scorecard *cards, size_t count,
+                           const bl_score_settings *used) {
+    bl_file file;
+    char text[128];
+    size_t found;
+    score_line *lines = lines_of(cards, count, &found);
+    bl_status status =
+        lines ? bl_csv_open(call, &file) : bl_report(&call->message, BL_DEVICE, "out of memory");
+    if (status == BL_OK) {
+        snprintf(text, sizeof text, "alpha %g, level %g, size %s, seed %llu", used->alpha,
+                 used->level, bl_size_word(used->size), (unsigned long long)used->seed);
+        bl_csv_comment(file.stream, "bandlimit score", BL_VERSION);
+        bl_csv_comment(file.stream, "settings", text);
+        bl_table_csv(&BL_TABLE(line_fields, lines, found), file.stream);
+        status = bl_csv_close(call, &file);
+    }
+    free(lines);
+    return status;
 }
 
 static int ends_with(const char *text, const char *ending) {

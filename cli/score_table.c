@@ -30,24 +30,11 @@ typedef struct paragraph {
     size_t width, indent, column;
 } paragraph;
 
-// Puts the words of a text, each in the colour, if that is not "".
+// Puts the words of a text in the colour, if that is not "".
 static void put_words(paragraph *p, const char *colour, const char *text) {
-    for (size_t length; text += strspn(text, " "), length = strcspn(text, " "), length;
-         text += length) {
-        char word[512];
-        snprintf(word, sizeof word, "%.*s", (int)length, text);
-        if (p->column > p->indent && p->column + 1 + length > p->width) {
-            fprintf(p->out, "\n%*s", (int)p->indent, "");
-            p->column = p->indent;
-        } else if (p->column > p->indent) {
-            fputc(' ', p->out);
-            p->column++;
-        }
-        fputs(colour, p->out);
-        bl_plain_text(p->out, word);
-        fputs(*colour ? "\033[0m" : "", p->out);
-        p->column += length;
-    }
+    fputs(colour, p->out);
+    p->column = bl_plain_wrap(p->out, text, p->column, p->indent, p->width);
+    fputs(bl_plain_end(*colour), p->out);
 }
 
 // A word as wide as a column can afford; the reasons below say it in full.

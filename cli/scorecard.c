@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "cli/json.h"
+#include "core/plain.h"
 
 bl_score_settings bl_scorecard_settings(const bl_call *call, double alpha, size_t table) {
     bl_score_settings settings = bl_score_default_settings();
@@ -53,42 +54,60 @@ void bl_scorecard_free(bl_scorecard *card) {
     card->signal = NULL;
 }
 
-// A number without an interval has null limits and level 0; an exact one has level 1.
-static json_t *number_json(const bl_estimate *estimate) {
-    json_t *object = json_object();
-    int seen = estimate->level <= 0;
-    bl_json_set_number(object, "value", estimate->value);
-    json_object_set_new(object, "lower", seen ? json_null() : bl_json_number(estimate->lower));
-    json_object_set_new(object, "upper", seen ? json_null() : bl_json_number(estimate->upper));
-    bl_json_set_number(object, "level", estimate->level);
-    json_object_set_new(object, "samples",
-                        estimate->samples > 0 ? bl_json_number(estimate->samples) : json_null());
-    return object;
+static int has_interval(const void *number) {
+    return ((const bl_score_number *)number)->estimate.level > 0;
 }
 
+static int is_counted(const void *number) {
+    return ((const bl_score_number *)number)->estimate.samples > 0;
+}
+
+static void find_against(const bl_table *table, size_t row, bl_cell *cell) {
+    cell->word = bl_score_against_word(((const bl_score_property *)table->rows)[row].against);
+}
+
+// clang-format off
+#define AT(type, member) .offset = offsetof(type, member)
+// A number without an interval has null limits and level 0; an exact one has level 1.
+static const bl_field number_fields[] = {
+    {"value", NULL, BL_CELL_REAL, AT(bl_score_number, estimate.value)},
+    {"lower", NULL, BL_CELL_REAL, AT(bl_score_number, estimate.lower), .when = has_interval},
+    {"upper", NULL, BL_CELL_REAL, AT(bl_score_number, estimate.upper), .when = has_interval},
+    {"level", NULL, BL_CELL_REAL, AT(bl_score_number, estimate.level)},
+    {"samples", NULL, BL_CELL_REAL, AT(bl_score_number, estimate.samples), .when = is_counted},
+    {0}};
+
+static const bl_field claim_fields[] = {
+    {"name", NULL, BL_CELL_WORD, AT(bl_score_claim, name)},
+    {"verdict", NULL, BL_CELL_VERDICT, AT(bl_score_claim, verdict)},
+    {"reason", NULL, BL_CELL_LETTERS, AT(bl_score_claim, reason)},
+    {0}};
+
+static const bl_field property_fields[] = {
+    {"verdict", NULL, BL_CELL_VERDICT, AT(bl_score_property, verdict)},
+    {"against", NULL, BL_CELL_WORD, .find = find_against},
+    {"reason", NULL, BL_CELL_LETTERS, AT(bl_score_property, reason)},
+    {"cell", NULL, BL_CELL_LETTERS, AT(bl_score_property, cell)},
+    {0}};
+#undef AT
+// clang-format on
+
 json_t *bl_scorecard_json(const bl_score_property *property) {
-    json_t *object = json_object(), *claims = json_array(), *numbers = json_object();
-    bl_json_set_text(object, "verdict", bl_verdict_word(property->verdict));
-    bl_json_set_text(object, "against", bl_score_against_word(property->against));
-    bl_json_set_text(object, "reason", property->reason);
-    bl_json_set_text(object, "cell", property->cell);
-    for (size_t i = 0; i < property->claim_count; i++) {
-        json_t *claim = json_object();
-        bl_json_set_text(claim, "name", property->claims[i].name);
-        bl_json_set_text(claim, "verdict", bl_verdict_word(property->claims[i].verdict));
-        bl_json_set_text(claim, "reason", property->claims[i].reason);
-        json_array_append_new(claims, claim);
+    const bl_table numbers = BL_TABLE(number_fields, property->numbers, property->count);
+    json_t *object = json_object(), *by_name = json_object();
+    bl_record_json(object, &BL_RECORD(property_fields, property), 0);
+    json_object_set_new(
+        object, "claims",
+        bl_table_json(&BL_TABLE(claim_fields, property->claims, property->claim_count)));
+    for (size_t i = 0; i < property->count; i++) {
+        json_t *number = json_object();
+        bl_record_json(number, &numbers, i);
+        json_object_set_new(by_name, property->numbers[i].name, number);
     }
-    json_object_set_new(object, "claims", claims);
-    for (size_t i = 0; i < property->count; i++)
-        json_object_set_new(numbers, property->numbers[i].name,
-                            number_json(&property->numbers[i].estimate));
-    json_object_set_new(object, "numbers", numbers);
+    json_object_set_new(object, "numbers", by_name);
     return object;
 }
 
 const char *bl_scorecard_colour(const bl_call *call, bl_verdict verdict) {
-    static const char *const colours[] = {"\033[32m", "\033[33m", "\033[31m", ""};
-    // The word is coloured where colours may be.
-    return *bl_call_verdict(call, BL_VERDICT_PASS) == '\033' ? colours[verdict] : "";
+    return bl_plain_colour(verdict, bl_call_coloured(call));
 }

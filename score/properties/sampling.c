@@ -33,3 +33,17 @@ double bl_score_bound(const bl_signal *signal) {
     double lower = fabs(signal->facts.lower), upper = fabs(signal->facts.upper);
     return isfinite(lower) && isfinite(upper) ? fmax(lower, upper) : NAN;
 }
+
+int bl_score_states_something(const bl_signal *signal) {
+    const bl_facts *facts = &signal->facts;
+    if (isfinite(bl_score_bound(signal)) || isfinite(facts->mean) || isfinite(facts->variance) ||
+        bl_score_states_band(signal))
+        return 1;
+    if (bl_score_on_grid(signal))
+        return 0;
+    for (unsigned a = 0; a < signal->dimensions; a++)
+        if (!isnan(facts->period[a]))
+            return 1;
+    return facts->continuity >= -1 || facts->far > 0 || facts->stationary == 1 ||
+           facts->isotropic == 1 || signal->functions->gradient;
+}

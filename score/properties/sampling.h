@@ -25,4 +25,9 @@ bl_score_text bl_score_place_text(const bl_signal *signal, const double at[BL_AX
 // The larger of the sizes of the stated bounds; NAN if they are not stated.
 double bl_score_bound(const bl_signal *signal);
 
+// Whether the signal states anything that could be checked. That it is a function of the place is
+// stated by being a signal; more than that must be stated, and a grid has no values between its
+// samples of which more could be true.
+int bl_score_states_something(const bl_signal *signal);
+
 #endif
