@@ -65,7 +65,7 @@ ISA_FLAGS_v4 := -march=x86-64-v4 -mtune=icelake-server -mprefer-vector-width=512
 Q := $(if $(V),,@)
 say = $(if $(V),,@printf '  %-8s %s\n' $(1) $@)
 
-.PHONY: all tests check recipes reproduce bench docs install deps format clean
+.PHONY: FORCE all tests check recipes reproduce bench docs install deps format clean
 .PHONY: asan ubsan sanitize tsan
 .DELETE_ON_ERROR:
 all: $(BUILD)/bandlimit $(BUILD)/bandlimit-images.so $(BUILD)/libbandlimit.a \
@@ -81,7 +81,11 @@ $(BUILD)/core/oiio.o: core/oiio.cpp
 	$(call say,compile)
 	$(Q)$(CXX) -std=c++17 -fvisibility=hidden $(WARNINGS) $(COMMON) $(OIIO_FLAGS) $(CPPFLAGS) $(CXXFLAGS) -c $< -o $@
 
-# Where it finds bandlimit-images.so when that is not beside it.
+# Where it finds bandlimit-images.so when that is not beside it: compiled anew for other folders.
+$(BUILD)/folders: FORCE
+	@mkdir -p $(@D)
+	@echo '$(PREFIX) $(LIBDIR)' | cmp -s - $@ || echo '$(PREFIX) $(LIBDIR)' > $@
+$(BUILD)/core/image_library.o: $(BUILD)/folders
 $(BUILD)/core/image_library.o: COMMON += -DBL_LIBRARY_FOLDER='"$(LIBDIR)"' \
     -DBL_LIBRARY_FROM_PROGRAM='"../$(LIBDIR:$(PREFIX)/%=%)"'
 
@@ -128,7 +132,7 @@ $(BUILD)/bandlimit: $(PROGRAM_OBJECTS) $(BUILD)/libbandlimit.a
 # The folders as pkg-config wants them: below the prefix, so that it can be set anew.
 PC = sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR:$(PREFIX)/%=$${prefix}/%)|; \
     s|@VERSION@|$(VERSION)|' bandlimit.pc.in
-$(BUILD)/bandlimit.pc: bandlimit.pc.in core/version.h
+$(BUILD)/bandlimit.pc: bandlimit.pc.in core/version.h $(BUILD)/folders
 	@mkdir -p $(@D)
 	@$(PC) > $@
 

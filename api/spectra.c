@@ -94,6 +94,8 @@ bandlimit_status bandlimit_check(const bandlimit_spectrum *spectrum, bandlimit_b
     bl_status status = BL_API_CHECK(limit, bandlimit_band_limit, message);
     if (status == BL_OK)
         status = BL_API_CHECK(spectrum, bandlimit_spectrum, message);
+    if (status == BL_OK && !spectrum->owned)
+        status = bl_report(bl_api_message(message), BL_USAGE, "no spectrum was measured yet");
     if (status != BL_OK)
         return (bandlimit_status)status;
     const bl_psd *psd = spectrum->owned;

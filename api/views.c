@@ -24,8 +24,9 @@ static bl_status open_scene(const bl_signal *signal, const bandlimit_view_settin
         return status;
     const bandlimit_view_settings *given = &scene->given;
     const size_t side = given->effort == BANDLIMIT_QUICK ? 64 : 128;
-    scene->methods = given->methods ? given->methods : scene->usual;
-    scene->count = given->methods ? given->method_count : bl_usual_methods(signal, scene->usual);
+    scene->methods = given->method_count ? given->methods : scene->usual;
+    scene->count =
+        given->method_count ? given->method_count : bl_usual_methods(signal, scene->usual);
     return bl_view_open(given->view ? given->view : usual_view, given->width ? given->width : side,
                         given->height ? given->height : side, &scene->view,
                         bl_api_message(message));

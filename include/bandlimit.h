@@ -428,13 +428,13 @@ typedef struct bandlimit_view_settings {
     size_t bytes;
     const char *view;           // NULL: "flat", and "plane" for advice
     size_t width, height;       // pixels; 0: 128, or 64 of a quick one
-    const char *const *methods; // NULL: the signal's own and the usual ones
-    size_t method_count;
-    int gaussian;      // the pixel: 0 a box, 1 a Gaussian of half a pixel
-    double tolerance;  // of advice: of the luminance; 0: 1/255 ...
-    int largest;       // ... of the worst pixel, or (0) of the root mean square
-    const char *cache; // folder of converged references; NULL: none is kept
-    uint64_t seed;     // 0 stands for 1
+    const char *const *methods; // texts ...
+    size_t method_count;        // ... and how many; 0: the signal's own and the usual ones
+    int gaussian;               // the pixel: 0 a box, 1 a Gaussian of half a pixel
+    double tolerance;           // of advice: of the luminance; 0: 1/255 ...
+    int largest;                // ... of the worst pixel, or (0) of the root mean square
+    const char *cache;          // folder of converged references; NULL: none is kept
+    uint64_t seed;              // 0 stands for 1
     int threads;
     bandlimit_effort effort;
 } bandlimit_view_settings;

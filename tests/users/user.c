@@ -141,6 +141,7 @@ static void measure(const bandlimit_signal *noise) {
         bandlimit_spectrum_free(&spectrum);
         HOLDS(!spectrum.owned && spectrum.bytes == sizeof spectrum);
     }
+    HOLDS(bandlimit_check(&spectrum, &limit, &message) == BANDLIMIT_USAGE); // of no spectrum
     HOLDS(bandlimit_spectrum_measure(noise, &settings, &spectrum, &message) == BANDLIMIT_USAGE);
     settings.bytes--;
     HOLDS(bandlimit_spectrum_measure(noise, &settings, &spectrum, &message) == BANDLIMIT_USAGE);
