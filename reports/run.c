@@ -97,6 +97,14 @@ double bl_run_pick(const bl_run *run, double quick, double normal, double full) 
     return bl_size_pick(run->settings->size, quick, normal, full);
 }
 
+size_t bl_run_count(const bl_run *run, double quick, double normal, double full) {
+    return (size_t)bl_run_pick(run, quick, normal, full);
+}
+
+bl_random bl_run_random(const bl_run *run, uint64_t stream) {
+    return bl_random_seed(run->settings->seed, stream);
+}
+
 void bl_run_step(bl_run *run, const char *step) {
     const bl_reproduce_settings *settings = run->settings;
     if (settings->progress)

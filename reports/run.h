@@ -21,6 +21,7 @@
 #include <stddef.h>
 
 #include "core/image.h"
+#include "core/random.h"
 #include "core/status.h"
 #include "core/table.h"
 #include "reports/claim.h"
@@ -33,8 +34,12 @@ typedef struct bl_run bl_run;
 // The settings of the whole reproduction, constant during a run.
 const bl_reproduce_settings *bl_run_settings(const bl_run *run);
 
-// The number for the run's size.
+// The number for the run's size, and the same of things that are counted.
 double bl_run_pick(const bl_run *run, double quick, double normal, double full);
+size_t bl_run_count(const bl_run *run, double quick, double normal, double full);
+
+// A stream of random numbers from the seed of the run; each use has a stream of its own.
+bl_random bl_run_random(const bl_run *run, uint64_t stream);
 
 // Tells the progress callback what is being done.
 void bl_run_step(bl_run *run, const char *step);

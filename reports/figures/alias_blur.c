@@ -104,7 +104,7 @@ static const char *view_of(bl_run *run, int n, size_t pixels) {
 
 static const bl_alias_result *measure(bl_run *run, int n) {
     const subject *s = &subjects[n];
-    const size_t pixels = (size_t)bl_run_pick(run, 32, 64, 128);
+    const size_t pixels = bl_run_count(run, 32, 64, 128);
     const char *methods[METHODS_MOST];
     const bl_alias_settings settings =
         bl_run_alias_settings(run, bl_run_pick(run, 2, 3, 16), bl_run_pick(run, 8, 16, 16),

@@ -4,7 +4,6 @@
 // waves and of a sum of gradient noises, what it takes below, and how it pops.
 #include <math.h>
 
-#include "core/random.h"
 #include "reports/figures/estimates.h"
 #include "reports/figures/gallery.h"
 
@@ -30,7 +29,7 @@ static bl_psd_settings settings_of(const bl_run *run) {
     bl_psd_settings s = bl_run_psd_settings(run, 1);
     s.rate = 256;
     s.size = 8192;
-    s.averages = (size_t)bl_run_pick(run, 64, 512, 8192);
+    s.averages = bl_run_count(run, 64, 512, 8192);
     return s;
 }
 
@@ -86,7 +85,7 @@ static void claim_loss(bl_run *run, const bl_gallery_spectra *spectra, int way) 
 // The largest change of the value at random places when the sample width passes 1/16 = 1/(2 f) of
 // the octave f = 8, where that octave comes or goes.
 static double pop_of(const bl_run *run, const bl_signal *signal) {
-    bl_random random = bl_random_seed(bl_run_settings(run)->seed, 77);
+    bl_random random = bl_run_random(run, 77);
     double largest = 0;
     for (int i = 0; i < 4096; i++) {
         double at[BL_AXES], wide[BL_AXES], narrow[BL_AXES];

@@ -140,7 +140,7 @@ static void write_shares(bl_run *run, const bl_gallery *gallery,
 
 static void run_line_spectra(bl_run *run, const bl_gallery *gallery) {
     bl_psd_settings settings = bl_run_psd_settings(run, 1);
-    settings.averages = (size_t)bl_run_pick(run, 192, 1024, 16384);
+    settings.averages = bl_run_count(run, 192, 1024, 16384);
     const bl_gallery_spectra spectra =
         bl_gallery_measure_spectra(run, gallery, &settings, "along a line");
     const bl_gallery_spectrum_plot plot = {
@@ -161,8 +161,8 @@ static void run_line_spectra(bl_run *run, const bl_gallery *gallery) {
 
 static void run_slice_spectra(bl_run *run, const bl_gallery *gallery) {
     bl_psd_settings settings = bl_run_psd_settings(run, 2);
-    settings.size = (size_t)bl_run_pick(run, 128, 256, 512);
-    settings.averages = (size_t)bl_run_pick(run, 8, 64, 512);
+    settings.size = bl_run_count(run, 128, 256, 512);
+    settings.averages = bl_run_count(run, 8, 64, 512);
     const bl_gallery_spectra spectra =
         bl_gallery_measure_spectra(run, gallery, &settings, "in a slice");
     bl_gallery_spectrum_plot plot = {
@@ -208,7 +208,7 @@ static const bl_figure spectra_figure = {
 
 static void run_histograms(bl_run *run) {
     const bl_gallery gallery = open_gallery(run);
-    bl_gallery_draw_histograms(run, &gallery, (size_t)bl_run_pick(run, 1 << 16, 1 << 20, 1 << 24),
+    bl_gallery_draw_histograms(run, &gallery, bl_run_count(run, 1 << 16, 1 << 20, 1 << 24),
                                "How are the values of the signals distributed?",
                                "Densities of the values, one panel a signal, in standard "
                                "deviations from the mean, over the normal density.");

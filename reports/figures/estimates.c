@@ -30,6 +30,17 @@ bl_estimate bl_scaled(bl_estimate e, double factor) {
     return (bl_estimate){e.value * factor, e.lower * factor, e.upper * factor, e.level, e.samples};
 }
 
+double bl_slope(const double *x, const double *y, size_t count) {
+    double n = (double)count, sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
+    for (size_t i = 0; i < count; i++) {
+        sum_x += x[i];
+        sum_y += y[i];
+        sum_xx += x[i] * x[i];
+        sum_xy += x[i] * y[i];
+    }
+    return (n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x);
+}
+
 void bl_make_claim(bl_run *run, const char *source, const char *sentence, const char *reading,
                    const char *unit, double lower, double upper, bl_estimate measured,
                    const char *counted) {

@@ -20,6 +20,9 @@ bl_estimate bl_ratio_db(bl_estimate a, bl_estimate b);
 // Times a positive factor that is known.
 bl_estimate bl_scaled(bl_estimate estimate, double factor);
 
+// The slope of y over x by least squares.
+double bl_slope(const double *x, const double *y, size_t count);
+
 // Makes and keeps a claim; the texts are literals or made by bl_run_text. `counted` says
 // what the samples of the estimate are.
 void bl_make_claim(bl_run *run, const char *source, const char *sentence, const char *reading,

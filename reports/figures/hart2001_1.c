@@ -10,7 +10,7 @@
 static bl_estimate share_above_one(bl_run *run, const bl_signal *signal) {
     bl_psd_settings settings = bl_run_psd_settings(run, 1);
     settings.rate = 64;
-    settings.averages = (size_t)bl_run_pick(run, 64, 512, 8192);
+    settings.averages = bl_run_count(run, 64, 512, 8192);
     return bl_psd_share(bl_run_psd(run, signal, &settings), 1, INFINITY);
 }
 

@@ -46,8 +46,8 @@ static void measure(bl_run *run, const bl_signal *signal, bl_estimate result[BAN
     double values[BANDS][SPECTRA];
     bl_psd_settings settings = bl_run_psd_settings(run, 2);
     settings.rate = 8;
-    settings.size = (size_t)bl_run_pick(run, 128, 256, 512);
-    settings.averages = (size_t)bl_run_pick(run, 4, 16, 128);
+    settings.size = bl_run_count(run, 128, 256, 512);
+    settings.averages = bl_run_count(run, 4, 16, 128);
     for (int i = 0; i < SPECTRA; i++) {
         settings.seed = bl_run_settings(run)->seed + 500 + (uint64_t)i;
         const bl_psd *psd = bl_run_psd(run, signal, &settings);

@@ -4,8 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/random.h"
-
 enum { PHASES = 8, LATTICE_SPAN = 100000 }; // places along each side of the cell
 
 // The mean square at each place of the cell over `cells` random cells; the noises have mean zero.
@@ -44,7 +42,7 @@ static double contrast_of(const double a[PHASES * PHASES], const double b[PHASES
 void bl_contrasts_measure(bl_run *run, const bl_gallery *gallery, size_t cells, const char *cell,
                           bl_contrasts *contrasts) {
     double a[PHASES * PHASES], b[PHASES * PHASES];
-    contrasts->repeats = (size_t)bl_run_pick(run, 16, 32, BL_CONTRAST_REPEATS);
+    contrasts->repeats = bl_run_count(run, 16, 32, BL_CONTRAST_REPEATS);
     bl_run_setting(run, "lattice contrast",
                    bl_run_text(run, "%d x %d places in %s, %zu pairs of %zu random cells", PHASES,
                                PHASES, cell, contrasts->repeats, cells));
@@ -52,7 +50,7 @@ void bl_contrasts_measure(bl_run *run, const bl_gallery *gallery, size_t cells, 
         for (size_t i = 0; i < gallery->count; i++) {
             bl_run_step(run, bl_run_text(run, "lattice contrast of %s", gallery->key[i]));
             for (size_t r = 0; r < contrasts->repeats; r++) {
-                bl_random random = bl_random_seed(bl_run_settings(run)->seed, 40960 + r);
+                bl_random random = bl_run_random(run, 40960 + r);
                 square_by_phase(gallery->signal[i], &random, on_plane, cells, a);
                 square_by_phase(gallery->signal[i], &random, on_plane, cells, b);
                 contrasts->values[on_plane][i][r] = contrast_of(a, b);

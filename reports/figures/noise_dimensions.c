@@ -35,7 +35,7 @@ static void draw_graphs(bl_run *run, const bl_gallery *gallery) {
 
 static void draw_spectra(bl_run *run, const bl_gallery *gallery) {
     bl_psd_settings settings = bl_run_psd_settings(run, 1);
-    settings.averages = (size_t)bl_run_pick(run, 192, 2048, 32768);
+    settings.averages = bl_run_count(run, 192, 2048, 32768);
     const bl_gallery_spectra spectra =
         bl_gallery_measure_spectra(run, gallery, &settings, "along a line");
     const bl_gallery_spectrum_plot plot = {
@@ -63,7 +63,7 @@ static void draw_spectra(bl_run *run, const bl_gallery *gallery) {
 
 static void claim_variances(bl_run *run, const bl_gallery *gallery) {
     bl_histogram_settings settings =
-        bl_run_histogram_settings(run, (size_t)bl_run_pick(run, 1 << 18, 1 << 21, 1 << 25));
+        bl_run_histogram_settings(run, bl_run_count(run, 1 << 18, 1 << 21, 1 << 25));
     double dims[SIGNALS], variance[SIGNALS], lower[SIGNALS], upper[SIGNALS], exact[SIGNALS];
     for (size_t i = 0; i < gallery->count; i++) {
         const bl_histogram *h = bl_run_histogram(run, gallery->signal[i], &settings);

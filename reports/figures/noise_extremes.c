@@ -157,7 +157,7 @@ static void measure(bl_run *run, const bl_gallery *gallery, double *values) {
     for (size_t i = 0; i < gallery->count; i++) {
         const bl_signal *signal = gallery->signal[i];
         double *own = values + i * DECADES, worst = 0;
-        bl_random random = bl_random_seed(bl_run_settings(run)->seed, 5000 + i);
+        bl_random random = bl_run_random(run, 5000 + i);
         bl_run_step(run, gallery->key[i]);
         for (int d = 0; d < DECADES; d++) {
             double error = largest_error(signal, LOWEST + d, &random);

@@ -11,7 +11,7 @@
 // The share of the values in the middle half of the proven range: a uniform distribution reads 1/2.
 static void claim_middle(bl_run *run, const bl_gallery *gallery) {
     bl_histogram_settings settings =
-        bl_run_histogram_settings(run, (size_t)bl_run_pick(run, 1 << 16, 1 << 19, 1 << 24));
+        bl_run_histogram_settings(run, bl_run_count(run, 1 << 16, 1 << 19, 1 << 24));
     for (size_t i = 0; i < gallery->count; i++) {
         const bl_facts *facts = &gallery->signal[i]->facts;
         double middle = (facts->lower + facts->upper) / 2, half = (facts->upper - facts->lower) / 4;
@@ -31,7 +31,7 @@ static void claim_middle(bl_run *run, const bl_gallery *gallery) {
 
 static void run_figure(bl_run *run) {
     const bl_gallery gallery = bl_all_noises_open(run);
-    bl_gallery_draw_histograms(run, &gallery, (size_t)bl_run_pick(run, 1 << 16, 1 << 20, 1 << 24),
+    bl_gallery_draw_histograms(run, &gallery, bl_run_count(run, 1 << 16, 1 << 20, 1 << 24),
                                "How are the values of all the noises distributed?",
                                "The density of the values of every noise, in standard deviations "
                                "from its mean, over the normal density.");

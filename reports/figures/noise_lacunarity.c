@@ -8,7 +8,6 @@
 // it.
 #include <math.h>
 
-#include "core/random.h"
 #include "reports/figures/estimates.h"
 #include "reports/figures/gallery.h"
 #include "reports/figures/lattice_contrast.h"
@@ -58,7 +57,7 @@ static const bl_field fields[] = {
 static void measure_contrasts(bl_run *run, const bl_gallery *gallery) {
     bl_contrasts c;
     entry rows[SUMS];
-    bl_contrasts_measure(run, gallery, (size_t)bl_run_pick(run, 256, 2000, 20000),
+    bl_contrasts_measure(run, gallery, bl_run_count(run, 256, 2000, 20000),
                          "the cell of the lowest octave", &c);
     claim_contrasts(run, &c);
     for (int i = 0; i < SUMS; i++)
@@ -95,9 +94,9 @@ static void draw_deviations(bl_run *run, const bl_gallery *gallery) {
     for (int i = 0; i < PLACES; i++)
         x[i] = (double)i / (PLACES - 1);
     for (size_t s = 0; s < SUMS; s++) {
-        bl_random random = bl_random_seed(bl_run_settings(run)->seed, 77);
-        deviation_along_edge(gallery->signal[s], &random,
-                             (size_t)bl_run_pick(run, 2000, 40000, 400000), values[s]);
+        bl_random random = bl_run_random(run, 77);
+        deviation_along_edge(gallery->signal[s], &random, bl_run_count(run, 2000, 40000, 400000),
+                             values[s]);
     }
     const bl_graph graph = {
         .name = "deviations",

@@ -133,7 +133,7 @@ static double best_shift(const bl_signal *signal, double y, double other_y) {
 }
 
 static void claim_rows(bl_run *run, const bl_gallery *gallery) {
-    size_t rows = (size_t)bl_run_pick(run, 24, 128, 256);
+    size_t rows = bl_run_count(run, 24, 128, 256);
     double *values = bl_run_memory(run, rows, sizeof *values);
     for (int i = 0; i < 2; i++) {
         for (size_t k = 0; k < rows; k++)
@@ -209,7 +209,7 @@ static void draw_wide(bl_run *run, const bl_gallery *gallery) {
 
 static void run_figure(bl_run *run) {
     const bl_gallery gallery = bl_gallery_open(run, texts, TEXTS);
-    const probes p = open_probes(run, (size_t)bl_run_pick(run, 4096, 32768, 65536));
+    const probes p = open_probes(run, bl_run_count(run, 4096, 32768, 65536));
     draw_wide(run, &gallery);
     plot_correlations(run, &gallery, &p);
     claim_correlations(run, &gallery, &p);

@@ -13,8 +13,8 @@ enum { CELLS = 16, PIXELS = 192 };
 static bl_psd_settings slice_settings(const bl_run *run) {
     bl_psd_settings settings = bl_run_psd_settings(run, 2);
     settings.rate = 8;
-    settings.size = (size_t)bl_run_pick(run, 128, 256, 512);
-    settings.averages = (size_t)bl_run_pick(run, 4, 32, 512);
+    settings.size = bl_run_count(run, 128, 256, 512);
+    settings.averages = bl_run_count(run, 4, 32, 512);
     return settings;
 }
 

@@ -3,7 +3,6 @@
 // peachey-2.22: the brick texture, and its filters at few pixels.
 #include <math.h>
 
-#include "core/random.h"
 #include "reports/figures/estimates.h"
 #include "reports/figures/pictures.h"
 
@@ -17,8 +16,8 @@ static double seen(const bl_signal *signal, const double at[BL_AXES], double wid
 
 // The share of mortar that random points of the raw wall find.
 static bl_estimate share_of_mortar(bl_run *run, const bl_signal *wall) {
-    bl_random random = bl_random_seed(bl_run_settings(run)->seed, 222);
-    size_t n = (size_t)bl_run_pick(run, 20000, 200000, 2000000);
+    bl_random random = bl_run_random(run, 222);
+    size_t n = bl_run_count(run, 20000, 200000, 2000000);
     bl_moments moments = {.n = 0};
     for (size_t i = 0; i < n; i++) {
         const double at[BL_AXES] = {26 * bl_random_unit(&random), 18 * bl_random_unit(&random)};

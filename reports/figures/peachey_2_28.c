@@ -3,7 +3,6 @@
 // peachey-2.28: Gardner's clouds on a flat sky.
 #include <math.h>
 
-#include "core/random.h"
 #include "reports/figures/estimates.h"
 #include "reports/figures/pictures.h"
 
@@ -11,8 +10,8 @@
 // with an interval from batches.
 static bl_estimate likeness(bl_run *run, const bl_signal *sky, double lag) {
     enum { BATCHES = 16 };
-    bl_random random = bl_random_seed(bl_run_settings(run)->seed, 228);
-    size_t places = (size_t)bl_run_pick(run, 1000, 10000, 100000);
+    bl_random random = bl_run_random(run, 228);
+    size_t places = bl_run_count(run, 1000, 10000, 100000);
     double values[BATCHES];
     for (int b = 0; b < BATCHES; b++) {
         double one = 0, other = 0, square = 0, product = 0, n = (double)places;
@@ -33,8 +32,8 @@ static bl_estimate likeness(bl_run *run, const bl_signal *sky, double lag) {
 
 // The lightest cloud: how much of the way from the sky's red to white.
 static double thickest(bl_run *run, const bl_signal *sky) {
-    bl_random random = bl_random_seed(bl_run_settings(run)->seed, 229);
-    size_t places = (size_t)bl_run_pick(run, 20000, 200000, 2000000);
+    bl_random random = bl_run_random(run, 229);
+    size_t places = bl_run_count(run, 20000, 200000, 2000000);
     double most = 0, rgb[3];
     for (size_t i = 0; i < places; i++) {
         const double at[BL_AXES] = {1e4 * bl_random_unit(&random), 1e4 * bl_random_unit(&random)};

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 
 #include "core/fft.h"
-#include "core/random.h"
 #include "reports/figures/estimates.h"
 #include "spectra/window.h"
 
@@ -87,8 +86,8 @@ typedef struct folding {
 } folding;
 
 static void fold(bl_run *run, folding *f) {
-    bl_random random = bl_random_seed(bl_run_settings(run)->seed, 230);
-    *f = (folding){.count = (size_t)bl_run_pick(run, 128, 512, 512), .least_energy = INFINITY};
+    bl_random random = bl_run_random(run, 230);
+    *f = (folding){.count = bl_run_count(run, 128, 512, 512), .least_energy = INFINITY};
     for (size_t i = 0; i < f->count; i++) {
         double energy = 0;
         f->frequency[i] = 3 * ((double)i + bl_random_unit(&random)) / (double)f->count;

@@ -4,7 +4,6 @@
 // corners of a box give, and what an image averaged by it looks like.
 #include <math.h>
 
-#include "core/random.h"
 #include "reports/figures/estimates.h"
 #include "reports/measure.h"
 
@@ -38,7 +37,7 @@ static double entry(const bl_summed_area *table, int s, int t) {
 // --- claims -------------------------------------------------------------------------------------
 
 static void claim_geometry(bl_run *run, const float *values, const bl_summed_area *table) {
-    bl_random random = bl_random_seed(bl_run_settings(run)->seed, 233);
+    bl_random random = bl_run_random(run, 233);
     int boxes = (int)bl_run_pick(run, 500, 2000, 2000);
     double off_entry = 0, off_corners = 0;
     for (int n = 0; n < boxes; n++) {

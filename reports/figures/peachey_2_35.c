@@ -3,13 +3,12 @@
 // peachey-2.35: graphs of six noises along two lines, one on an edge of the lattice and one at a
 // random place, and what the text says about the values at the lattice points and between them.
 // Its claims stand in six_values.c.
-#include "core/random.h"
 #include "reports/figures/six_values.h"
 
 enum { CELLS = 20, PER_CELL = 32 };
 
 static void make_graphs(bl_run *run, const bl_gallery *six) {
-    bl_random random = bl_random_seed(bl_run_settings(run)->seed, 235);
+    bl_random random = bl_run_random(run, 235);
     double y = bl_random_unit(&random), z = bl_random_unit(&random);
     bl_run_setting(run, "line at a random place",
                    bl_run_text(run, "y = %.6f, z = %.6f, x from 0 to %d", y, z, CELLS));

@@ -3,13 +3,12 @@
 // peachey-2.36: slices of six noises on one scale of grey, through a random place and on a plane of
 // the lattice, and how much of the lattice is seen in them.
 // The measures of the grid pattern and their claims stand in six_patterns.c.
-#include "core/random.h"
 #include "reports/figures/six_patterns.h"
 
 enum { CELLS = 16, PER_CELL = 16 };
 
 static void make_slices(bl_run *run, const bl_gallery *six) {
-    bl_random random = bl_random_seed(bl_run_settings(run)->seed, 236);
+    bl_random random = bl_run_random(run, 236);
     double z = 0.25 + 0.5 * bl_random_unit(&random); // well between two planes
     bl_run_setting(run, "slice at a random place", bl_run_text(run, "z = %.6f", z));
     bl_run_setting(run, "slice on a lattice plane", "z = 0");

@@ -4,7 +4,6 @@
 // it doubles the peaks, folds the function at its zeros, and makes the changes sharper.
 #include <math.h>
 
-#include "core/random.h"
 #include "reports/figures/estimates.h"
 #include "reports/figures/gallery.h"
 
@@ -16,7 +15,7 @@ static const char *const texts[] = {"fractalsum:min=1,max=64", "turbulence:min=1
 enum { FRACTALSUM, TURBULENCE, SUMS };
 
 static void draw(bl_run *run, const bl_gallery *gallery) {
-    bl_random random = bl_random_seed(bl_run_settings(run)->seed, 238);
+    bl_random random = bl_run_random(run, 238);
     double z = 0.25 + 0.5 * bl_random_unit(&random);
     bl_run_setting(
         run, "slice",
@@ -62,7 +61,7 @@ static void over_lines(const bl_run *run, const bl_signal *const signal[SUMS], d
                        size_t lines, double (*number)(const float *row, size_t count),
                        double *out[SUMS]) {
     float row[LINE];
-    bl_random random = bl_random_seed(bl_run_settings(run)->seed, 2238);
+    bl_random random = bl_run_random(run, 2238);
     for (size_t k = 0; k < lines; k++) {
         double start[BL_AXES] = {0};
         for (int a = 0; a < 3; a++)
@@ -111,7 +110,7 @@ static void claim_creases(bl_run *run, double *values, size_t count) {
     const bl_signal *basis = bl_run_seeded_signal(run, "fractalsum:min=1,max=2");
     const bl_signal *folded = bl_run_seeded_signal(run, "turbulence:min=1,max=2");
     for (int s = 0; s < SUMS; s++) {
-        bl_random random = bl_random_seed(bl_run_settings(run)->seed, 3238);
+        bl_random random = bl_run_random(run, 3238);
         for (size_t k = 0; k < count; k++)
             values[k] = slope_jump(s == TURBULENCE ? folded : basis, basis, &random);
         // Finite differences of a C1 function over h = 1e-6 leave h times its second derivative.
@@ -127,7 +126,7 @@ static void claim_creases(bl_run *run, double *values, size_t count) {
 }
 
 static void claim_lines(bl_run *run) {
-    size_t lines = (size_t)bl_run_pick(run, 64, 1024, 65536);
+    size_t lines = bl_run_count(run, 64, 1024, 65536);
     double *values = bl_run_memory(run, (SUMS + 1) * lines, sizeof *values);
     double *own[SUMS] = {values, values + lines};
     for (int octaves = 1; octaves <= 6; octaves += 5) {

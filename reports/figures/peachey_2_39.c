@@ -33,18 +33,15 @@ static bl_psd_settings line_settings(const bl_run *run, double averages) {
 // from f = 2 to 32: whole octaves, so that their ripple cancels, in the midst of the sum's own, so
 // that the lowest and the highest do not bend it.
 static double slope_of(const bl_psd *psd, int per_octave) {
-    double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
-    int bins = 0;
-    double factor = pow(2, per_octave ? 1 : 0.25);
+    double x[20], y[20]; // four octaves, by quarters
+    const double factor = pow(2, per_octave ? 1 : 0.25);
+    size_t bins = 0;
     for (double from = 2; from < 31.9; from *= factor, bins++) {
         double width = per_octave ? 1 : from * (factor - 1);
-        double x = log2(from), y = log2(bl_psd_share(psd, from, from * factor).value / width);
-        sum_x += x;
-        sum_y += y;
-        sum_xx += x * x;
-        sum_xy += x * y;
+        x[bins] = log2(from);
+        y[bins] = log2(bl_psd_share(psd, from, from * factor).value / width);
     }
-    return (bins * sum_xy - sum_x * sum_y) / (bins * sum_xx - sum_x * sum_x);
+    return bl_slope(x, y, bins);
 }
 
 enum { FITS = 12 }; // spectra of independent seeds and places, each with its own fit

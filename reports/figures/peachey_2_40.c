@@ -3,7 +3,6 @@
 // peachey-2.40: blue marble, and its filters from afar.
 #include <math.h>
 
-#include "core/random.h"
 #include "reports/figures/estimates.h"
 #include "reports/figures/pictures.h"
 
@@ -14,8 +13,8 @@ enum { BATCHES = 16, SIDE = 4 };
 // off.
 static bl_estimate squared_error(bl_run *run, const bl_signal *raw, const bl_signal *form,
                                  double width) {
-    bl_random random = bl_random_seed(bl_run_settings(run)->seed, 240);
-    size_t boxes = (size_t)bl_run_pick(run, 20, 200, 2000);
+    bl_random random = bl_run_random(run, 240);
+    size_t boxes = bl_run_count(run, 20, 200, 2000);
     double values[BATCHES];
     const double wide[BL_AXES] = {width, width, width, width};
     for (int b = 0; b < BATCHES; b++) {

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "core/definition.h"
-#include "core/random.h"
 #include "reports/figures/estimates.h"
 #include "reports/figures/pictures.h"
 #include "textures/texture.h"
@@ -33,8 +32,8 @@ static const bl_signal *open_picture(bl_run *run, const char *amount) {
 // The root mean square of the shift along s, in units.
 static bl_estimate shift_of(bl_run *run, const bl_signal *noise) {
     enum { BATCHES = 16 };
-    bl_random random = bl_random_seed(bl_run_settings(run)->seed, 241);
-    size_t places = (size_t)bl_run_pick(run, 1000, 10000, 100000);
+    bl_random random = bl_run_random(run, 241);
+    size_t places = bl_run_count(run, 1000, 10000, 100000);
     double values[BATCHES];
     for (int b = 0; b < BATCHES; b++) {
         double sum = 0;

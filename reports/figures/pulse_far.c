@@ -9,7 +9,6 @@
 #include <float.h>
 #include <math.h>
 
-#include "core/random.h"
 #include "filters/pulse_train.h"
 #include "reports/figures/estimates.h"
 #include "reports/figures/graph.h"
@@ -83,9 +82,9 @@ static void measure_one(errors *e, int n, bl_random *random) {
 }
 
 static void measure(bl_run *run, errors *e) {
-    e->pulses = (size_t)bl_run_pick(run, 2000, 10000, 100000);
+    e->pulses = bl_run_count(run, 2000, 10000, 100000);
     for (int n = 0; n < EXPONENTS; n++) {
-        bl_random random = bl_random_seed(bl_run_settings(run)->seed, 500 + (uint64_t)n);
+        bl_random random = bl_run_random(run, 500 + (uint64_t)n);
         e->distance[n] = n;
         for (size_t i = 0; i < e->pulses; i++)
             measure_one(e, n, &random);

@@ -76,8 +76,8 @@ static void measure_anisotropy(bl_run *run, const bl_signal *signal,
                                double out[ANISOTROPY_REPEATS]) {
     bl_psd_settings settings = bl_run_psd_settings(run, 2);
     settings.rate = 8;
-    settings.size = (size_t)bl_run_pick(run, 128, 256, 512);
-    settings.averages = (size_t)bl_run_pick(run, 2, 16, 256);
+    settings.size = bl_run_count(run, 128, 256, 512);
+    settings.averages = bl_run_count(run, 2, 16, 256);
     settings.axis[2] = 1;
     for (int r = 0; r < ANISOTROPY_REPEATS; r++) {
         settings.seed = bl_run_settings(run)->seed + 100 + (uint64_t)r;
@@ -106,7 +106,7 @@ static void claim_anisotropy(bl_run *run, const bl_gallery *six, double *mean) {
 }
 
 void bl_six_patterns_claim(bl_run *run, const bl_gallery *six) {
-    size_t cells = (size_t)bl_run_pick(run, 128, 1000, 20000);
+    size_t cells = bl_run_count(run, 128, 1000, 20000);
     double between[BL_SIX], on_plane[BL_SIX], anisotropy[BL_SIX];
     bl_contrasts c;
     bl_contrasts_measure(run, six, cells, "the cell", &c);

@@ -18,18 +18,18 @@ static bl_psd_settings settings_of(const bl_run *run, bl_reading reading) {
     switch (dims[reading]) {
     case 1:
         s.rate = 16;
-        s.size = (size_t)bl_run_pick(run, 512, 2048, 4096);
-        s.averages = (size_t)bl_run_pick(run, 192, 2048, 65536);
+        s.size = bl_run_count(run, 512, 2048, 4096);
+        s.averages = bl_run_count(run, 192, 2048, 65536);
         break;
     case 2:
         s.rate = 8;
-        s.size = (size_t)bl_run_pick(run, 128, 256, 512);
-        s.averages = (size_t)bl_run_pick(run, 8, 512, 4096);
+        s.size = bl_run_count(run, 128, 256, 512);
+        s.averages = bl_run_count(run, 8, 512, 4096);
         break;
     default:
         s.rate = 4;
-        s.size = (size_t)bl_run_pick(run, 32, 64, 128);
-        s.averages = (size_t)bl_run_pick(run, 6, 128, 1024);
+        s.size = bl_run_count(run, 32, 64, 128);
+        s.averages = bl_run_count(run, 6, 128, 1024);
     }
     return s;
 }

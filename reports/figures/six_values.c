@@ -9,7 +9,6 @@
 
 #include <math.h>
 
-#include "core/random.h"
 #include "spectra/histogram.h"
 
 enum { LATTICE_SPAN = 100000 }; // lattice points are drawn from a cube of this size
@@ -59,7 +58,7 @@ static void claim_at_points(bl_run *run, int noise, double largest, bl_estimate 
 
 static void claim_lattice_values(bl_run *run, const bl_gallery *six, size_t count, double *values) {
     for (int i = 0; i < BL_SIX; i++) {
-        bl_random random = bl_random_seed(bl_run_settings(run)->seed, 1235);
+        bl_random random = bl_run_random(run, 1235);
         double largest = 0;
         for (size_t k = 0; k < count; k++) {
             double at[BL_AXES] = {0};
@@ -96,7 +95,7 @@ static void claim_continuity(bl_run *run, const bl_signal *vnoise, size_t count,
         "The cubic Catmull-Rom interpolation of vnoise keeps the first and the second derivative "
         "continuous: the mean jump across a lattice plane.";
     for (int on_edge = 1; on_edge >= 0; on_edge--) {
-        bl_random random = bl_random_seed(bl_run_settings(run)->seed, 2235);
+        bl_random random = bl_run_random(run, 2235);
         for (size_t k = 0; k < count; k++) {
             double at[BL_AXES] = {0};
             for (int a = 0; a < 3; a++)
@@ -158,7 +157,7 @@ static void claim_turns(bl_run *run, const bl_signal *gnoise, size_t count) {
     double offset[IN_CELL];
     place_samples(offset);
     for (int on_edge = 1; on_edge >= 0; on_edge--) {
-        bl_random random = bl_random_seed(bl_run_settings(run)->seed, 3235);
+        bl_random random = bl_run_random(run, 3235);
         int fewest = IN_CELL;
         for (size_t k = 0; k < count; k++) {
             double at[3];
@@ -204,7 +203,7 @@ static void claim_range(bl_run *run, size_t samples) {
 }
 
 void bl_six_values_claim(bl_run *run, const bl_gallery *six) {
-    size_t count = (size_t)bl_run_pick(run, 2000, 20000, 1000000);
+    size_t count = bl_run_count(run, 2000, 20000, 1000000);
     double *values = bl_run_memory(run, 2 * count, sizeof *values);
     bl_run_setting(
         run, "points of the claims",
@@ -214,5 +213,5 @@ void bl_six_values_claim(bl_run *run, const bl_gallery *six) {
     claim_turns(run, six->signal[BL_GNOISE], count / 10);
     claim_continuity(run, six->signal[BL_VNOISE], count, values, values + count);
     bl_run_step(run, "ranges");
-    claim_range(run, (size_t)bl_run_pick(run, 1e5, 2e6, 1e8));
+    claim_range(run, bl_run_count(run, 1e5, 2e6, 1e8));
 }

@@ -14,7 +14,6 @@
 // signs and grow as N.
 #include <math.h>
 
-#include "core/random.h"
 #include "reports/figures/estimates.h"
 #include "reports/figures/graph.h"
 #include "reports/measure.h"
@@ -68,7 +67,7 @@ static void measure_size(bl_run *run, measured *m, size_t n) {
     float *values = bl_run_memory(run, pixels, sizeof *values);
     bl_run_step(run, bl_run_text(run, "tables of %g by %g", m->side[n], m->side[n]));
     for (size_t seed = 0; seed < m->seeds; seed++) {
-        bl_random random = bl_random_seed(bl_run_settings(run)->seed, 3000 + 100 * n + seed);
+        bl_random random = bl_run_random(run, 3000 + 100 * n + seed);
         for (size_t i = 0; i < pixels; i++)
             values[i] = (float)(floor(0x1p24 * bl_random_unit(&random)) * 0x1p-24);
         measure_image(run, m, values, n, seed, 0);
@@ -136,17 +135,13 @@ static void draw(bl_run *run, const measured *m) {
 
 // The slope of log error over log side, by least squares, an estimate from independent images.
 static bl_estimate exponent(const measured *m, int box, int kind) {
-    double slopes[SEEDS_MOST];
+    double slopes[SEEDS_MOST], side[SIZES_MOST], error[SIZES_MOST];
     for (size_t s = 0; s < m->seeds; s++) {
-        double x = 0, y = 0, xx = 0, xy = 0, count = (double)m->sizes;
         for (size_t n = 0; n < m->sizes; n++) {
-            double u = log2(m->side[n]), v = log2(m->error[box][kind][n][s]);
-            x += u;
-            y += v;
-            xx += u * u;
-            xy += u * v;
+            side[n] = log2(m->side[n]);
+            error[n] = log2(m->error[box][kind][n][s]);
         }
-        slopes[s] = (count * xy - x * y) / (count * xx - x * x);
+        slopes[s] = bl_slope(side, error, m->sizes);
     }
     return bl_mean_estimate(slopes, m->seeds, 0.95);
 }
@@ -196,8 +191,8 @@ static void claim_laws(bl_run *run, const measured *m) {
 
 static void run_figure(bl_run *run) {
     measured *m = bl_run_memory(run, 1, sizeof *m);
-    m->sizes = (size_t)bl_run_pick(run, 4, 6, 7);
-    m->seeds = (size_t)bl_run_pick(run, 16, 8, 16);
+    m->sizes = bl_run_count(run, 4, 6, 7);
+    m->seeds = bl_run_count(run, 16, 8, 16);
     bl_run_setting(run, "images",
                    bl_run_text(run, "%zu of each size, white noise between 0 and 1", m->seeds));
     for (size_t n = 0; n < m->sizes; n++) {
