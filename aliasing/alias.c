@@ -99,7 +99,7 @@ static bl_status add_energies(measurement *m, size_t method, size_t replicate,
     bl_scene scene = reseeded(&m->scenes[method], replicate, &made);
     bl_scene_method image = m->images[method];
     image.scene = &scene;
-    bl_status status = bl_image_spectrum_take(bl_scene_luminance, &image, m->view->width,
+    bl_status status = bl_image_spectrum_take(bl_scene_luminances, &image, m->view->width,
                                               m->view->height, m->settings->oversample, shift,
                                               level, m->settings->threads, &spectrum, message);
     if (status == BL_OK) {
@@ -122,7 +122,7 @@ static bl_status run_replicate(measurement *m, size_t replicate, bl_message *mes
     bl_signal *made;
     bl_image_spectrum truth;
     bl_scene scene = reseeded(&m->scene, replicate, &made);
-    bl_status status = bl_image_spectrum_take(bl_scene_raw_luminance, &scene, m->view->width,
+    bl_status status = bl_image_spectrum_take(bl_scene_raw_luminances, &scene, m->view->width,
                                               m->view->height, fine_samples(m), shift, level,
                                               m->settings->threads, &truth, message);
     if (status == BL_OK) {
@@ -258,13 +258,14 @@ static void run_pixels(void *user) {
     const bl_scene_method *image = user;
     const bl_view *view = image->scene->view;
     const size_t pixels = view->width * view->height;
-    double sum = 0;
+    double x[TIMED], y[TIMED], out[TIMED];
     for (size_t i = 0; i < TIMED; i++) {
         size_t p = (i * UINT64_C(2654435761)) % pixels;
-        sum += bl_scene_luminance(image, (double)(p % view->width) + 0.5,
-                                  (double)(p / view->width) + 0.5);
+        x[i] = (double)(p % view->width) + 0.5;
+        y[i] = (double)(p / view->width) + 0.5;
     }
-    __asm__ volatile("" : : "g"(sum)); // so that it is computed
+    bl_scene_luminances(image, x, y, TIMED, out);
+    __asm__ volatile("" : : "r"(out) : "memory"); // so that it is computed
 }
 
 static bl_status measure_times(const measurement *m, bl_alias_row *rows, bl_message *message) {

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "core/fft.h"
+#include "core/footprint.h"
 #include "core/grid.h"
 #include "core/memory.h"
 #include "spectra/window.h"
@@ -22,7 +23,7 @@ static bl_status check_size(size_t width, size_t height, size_t oversample, bl_m
 }
 
 // Fills rows of 2*(columns/2 + 1) numbers; false if a value is not finite.
-static int fill(bl_image_value value, const void *user, const bl_image_spectrum *spectrum,
+static int fill(bl_image_values values, const void *user, const bl_image_spectrum *spectrum,
                 const double shift[2], double level, const double *across, const double *down,
                 int threads) {
     const size_t columns = spectrum->width * spectrum->oversample;
@@ -33,10 +34,18 @@ static int fill(bl_image_value value, const void *user, const bl_image_spectrum 
     reduction(&& : finite)
     for (size_t j = 0; j < rows; j++) {
         double *row = spectrum->coefficient + j * 2 * (columns / 2 + 1);
+        double x[BL_BATCH], y[BL_BATCH];
+        for (size_t done = 0, here; done < columns; done += here) {
+            here = columns - done < BL_BATCH ? columns - done : BL_BATCH;
+            for (size_t i = 0; i < here; i++) {
+                x[i] = shift[0] + step * (double)(done + i);
+                y[i] = shift[1] + step * (double)j;
+            }
+            values(user, x, y, here, row + done);
+        }
         for (size_t i = 0; i < columns; i++) {
-            double v = value(user, shift[0] + step * (double)i, shift[1] + step * (double)j);
-            finite = finite && isfinite(v);
-            row[i] = (v - level) * across[i] * down[j];
+            finite = finite && isfinite(row[i]);
+            row[i] = (row[i] - level) * across[i] * down[j];
         }
     }
     return finite;
@@ -52,7 +61,7 @@ static double scale_of(const double *across, size_t columns, const double *down,
     return 1 / sqrt(x * y * (double)columns * (double)rows);
 }
 
-static bl_status transform(bl_image_value value, const void *user, const double shift[2],
+static bl_status transform(bl_image_values values, const void *user, const double shift[2],
                            double level, int threads, double *window, bl_image_spectrum *spectrum,
                            bl_message *message) {
     const size_t columns = spectrum->width * spectrum->oversample;
@@ -69,7 +78,7 @@ static bl_status transform(bl_image_value value, const void *user, const double 
     bl_status status = bl_fft_plan(&shape, &plan, message);
     if (status != BL_OK)
         return status;
-    if (!fill(value, user, spectrum, shift, level, window, down, threads))
+    if (!fill(values, user, spectrum, shift, level, window, down, threads))
         return bl_report(message, BL_MISMATCH,
                          "the image is not finite everywhere; use a view "
                          "that sees the signal only where it has values");
@@ -80,7 +89,7 @@ static bl_status transform(bl_image_value value, const void *user, const double 
     return BL_OK;
 }
 
-bl_status bl_image_spectrum_take(bl_image_value value, const void *user, size_t width,
+bl_status bl_image_spectrum_take(bl_image_values values, const void *user, size_t width,
                                  size_t height, size_t oversample, const double shift[2],
                                  double level, int threads, bl_image_spectrum *spectrum,
                                  bl_message *message) {
@@ -94,7 +103,7 @@ bl_status bl_image_spectrum_take(bl_image_value value, const void *user, size_t 
     if (!window || !spectrum->coefficient)
         status = bl_report(message, BL_DEVICE, "out of memory for the spectrum of an image");
     else
-        status = transform(value, user, shift, level, threads, window, spectrum, message);
+        status = transform(values, user, shift, level, threads, window, spectrum, message);
     free(window);
     if (status != BL_OK)
         bl_image_spectrum_free(spectrum);

@@ -23,15 +23,16 @@ typedef struct bl_image_spectrum {
     double *coefficient;  // rows of width*oversample/2 + 1 complex numbers; owned
 } bl_image_spectrum;
 
-// The value of the image at a place, in pixels.
-typedef double (*bl_image_value)(const void *user, double x, double y);
+// Fills out[i] with the value of the image at (x[i], y[i]), in pixels.
+typedef void (*bl_image_values)(const void *user, const double *x, const double *y, size_t count,
+                                double *out);
 
 // Samples the image at (x, y) = shift + (i, j) / oversample, minus `level`, in `threads` threads
 // (0: all), and transforms it. Two images of the same size and shift share their phases, whatever
 // their oversampling. On success the caller ends with bl_image_spectrum_free. Errors: BL_MISMATCH
 // for a size that the transform or the memory does not hold, and where the image is not finite;
 // BL_DEVICE out of memory.
-bl_status bl_image_spectrum_take(bl_image_value value, const void *user, size_t width,
+bl_status bl_image_spectrum_take(bl_image_values values, const void *user, size_t width,
                                  size_t height, size_t oversample, const double shift[2],
                                  double level, int threads, bl_image_spectrum *spectrum,
                                  bl_message *message);

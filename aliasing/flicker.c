@@ -39,7 +39,8 @@ static void show_pixel(const moving_picture *picture, const bl_view *view, size_
         moved.view = view;
         bl_scene_method method = picture->methods[m];
         method.scene = &moved;
-        picture->error[m * picture->pixels + p] = bl_scene_luminance(&method, x, y) - truth;
+        bl_scene_luminances(&method, &x, &y, 1, &picture->error[m * picture->pixels + p]);
+        picture->error[m * picture->pixels + p] -= truth;
     }
 }
 

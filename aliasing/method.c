@@ -38,12 +38,41 @@ void bl_method_close(bl_method *method) {
     *method = (bl_method){0};
 }
 
-// The raw colour at what is seen, or the background.
+// The colours at what is seen, or the background: of points where there is no rule.
+static void fill_batch(const bl_scene *scene, const bl_width_rule *rule, const double *x,
+                       const double *y, size_t count, double *rgb) {
+    bl_footprint footprint[BL_BATCH];
+    bl_gathered seen = {.count = 0};
+    double colour[3 * BL_BATCH];
+    for (size_t i = 0; i < count; i++) {
+        bl_sight sight;
+        memcpy(rgb + 3 * i, scene->background, 3 * sizeof *rgb);
+        if (!bl_view_see(scene->view, x[i], y[i], &sight))
+            continue;
+        if (rule)
+            footprint[seen.count] = bl_sight_footprint(&sight, rule);
+        bl_gather(&seen, i, sight.at);
+    }
+    const bl_samples samples =
+        bl_gathered_samples(&seen, rule ? footprint : &bl_footprint_point, rule != NULL);
+    bl_signal_colours(scene->signal, &samples, colour);
+    for (size_t k = 0; k < seen.count; k++)
+        memcpy(rgb + 3 * seen.of[k], colour + 3 * k, 3 * sizeof *rgb);
+}
+
+void bl_scene_filtered(const bl_scene *scene, const bl_width_rule *rule, const double *x,
+                       const double *y, size_t count, double *rgb) {
+    for (size_t done = 0; done < count; done += BL_BATCH) {
+        size_t here = count - done < BL_BATCH ? count - done : BL_BATCH;
+        fill_batch(scene, rule, x + done, y + done, here, rgb + 3 * done);
+    }
+}
+
+void bl_scene_points(const bl_scene *scene, const double *x, const double *y, size_t count,
+                     double *rgb) {
+    bl_scene_filtered(scene, NULL, x, y, count, rgb);
+}
+
 void bl_scene_point(const bl_scene *scene, double x, double y, double rgb[3]) {
-    static const double none[BL_AXES] = {0};
-    bl_sight sight;
-    if (bl_view_see(scene->view, x, y, &sight))
-        bl_signal_colour(scene->signal, sight.at, none, rgb);
-    else
-        memcpy(rgb, scene->background, 3 * sizeof *rgb);
+    bl_scene_points(scene, &x, &y, 1, rgb);
 }

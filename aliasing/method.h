@@ -28,10 +28,11 @@ typedef struct bl_method_kind {
     BL_ENTRY(title, summary);
     const bl_parameter *parameters;
     size_t parameters_size;
-    // The colour of the sample of one pixel's width centred at (x, y), in pixels. A method uses
-    // nothing but the scene, so that pixels may be asked in any order and from any thread.
-    void (*sample)(const void *parameters, const bl_scene *scene, double x, double y,
-                   double rgb[3]);
+    // Fills rgb[3 i] and the two behind it with the colour of the sample of one pixel's width
+    // centred at (x[i], y[i]), in pixels. A method uses nothing but the scene, so that pixels may
+    // be asked in any order, in any batch and from any thread.
+    void (*sample)(const void *parameters, const bl_scene *scene, const double *x, const double *y,
+                   size_t count, double *rgb);
     // The samples of the signal that a pixel takes, for the report.
     double (*samples)(const void *parameters);
     // Optional: the transform of the weights with which the signal is seen, at a frequency in
@@ -65,9 +66,15 @@ const char *bl_method_own_key(const bl_signal *signal);
 const char *const *bl_method_own_words(const bl_signal *signal);
 int bl_method_is_own(const bl_signal *signal, const char *word);
 
-// The unfiltered colour of what the view sees at (x, y), in pixels; the background where it sees
-// nothing. What methods sample. Thread-safe.
+// The unfiltered colours of what the view sees at each (x, y), in pixels, 3 numbers a place; the
+// background where it sees nothing. What methods sample. Thread-safe.
+void bl_scene_points(const bl_scene *scene, const double *x, const double *y, size_t count,
+                     double *rgb);
+// The same at one place.
 void bl_scene_point(const bl_scene *scene, double x, double y, double rgb[3]);
+// The same as the signal filters itself for the footprints of the pixels.
+void bl_scene_filtered(const bl_scene *scene, const bl_width_rule *rule, const double *x,
+                       const double *y, size_t count, double *rgb);
 
 // Names the descriptor of a method file: BL_METHOD_DESCRIPTOR(supersample) = {...};
 #define BL_METHOD_DESCRIPTOR(stem)                                                                 \

@@ -12,7 +12,7 @@
 #include "core/statistics.h"
 #include "textures/texture.h"
 
-enum { SEQUENCES = 4, PILOT = 32, ROUNDS = 4, BATCH = 128 };
+enum { SEQUENCES = 4, PILOT = 32, ROUNDS = 4 };
 
 const char *const bl_pixel_words[] = {"box", "gaussian", NULL};
 
@@ -22,49 +22,48 @@ static double pixel_offset(bl_pixel pixel, double place) {
 
 // The sum of the colours at many places: in rows of floats where the signal has them and no colour,
 // whose rounding (2^-24 of a value) is far below what is converged to.
-static void add_colours(const bl_scene *scene, const double (*place)[2], size_t count,
+static void add_colours(const bl_scene *scene, const double *x, const double *y, size_t count,
                         double sum[3]) {
-    double at[BL_AXES][BATCH], rgb[3];
-    float out[BATCH];
-    size_t seen = 0;
     if (scene->signal->functions->colour || !scene->signal->functions->points) {
-        for (size_t i = 0; i < count; i++) {
-            bl_scene_point(scene, place[i][0], place[i][1], rgb);
-            for (int c = 0; c < 3; c++)
-                sum[c] += rgb[c];
-        }
+        double rgb[3 * BL_BATCH];
+        bl_scene_points(scene, x, y, count, rgb);
+        for (size_t i = 0; i < count; i++)
+            for (size_t c = 0; c < 3; c++)
+                sum[c] += rgb[3 * i + c];
         return;
     }
+    bl_gathered seen = {.count = 0};
+    float out[BL_BATCH];
     for (size_t i = 0; i < count; i++) {
         bl_sight sight;
-        int sees = bl_view_see(scene->view, place[i][0], place[i][1], &sight);
-        for (int a = 0; a < BL_AXES && sees; a++)
-            at[a][seen] = sight.at[a];
-        seen += sees != 0;
+        if (bl_view_see(scene->view, x[i], y[i], &sight))
+            bl_gather(&seen, i, sight.at);
     }
-    bl_signal_points(scene->signal, (const double *const[]){at[0], at[1], at[2], at[3]}, seen, out);
+    const bl_samples samples = bl_gathered_samples(&seen, &bl_footprint_point, 0);
+    bl_signal_points(scene->signal, samples.at, seen.count, out);
     for (int c = 0; c < 3; c++) {
-        for (size_t i = 0; i < seen; i++)
+        for (size_t i = 0; i < seen.count; i++)
             sum[c] += (double)out[i];
-        sum[c] += (double)(count - seen) * scene->background[c];
+        sum[c] += (double)(count - seen.count) * scene->background[c];
     }
 }
 
 void bl_reference_pixel(const bl_scene *scene, bl_pixel pixel, double x, double y, uint32_t samples,
                         uint64_t key, double rgb[3], double *variance) {
     bl_moments moments = {0};
-    double sum[3] = {0, 0, 0}, place[BATCH][2];
+    double sum[3] = {0, 0, 0}, at_x[BL_BATCH], at_y[BL_BATCH];
     for (uint64_t s = 0; s < SEQUENCES; s++) {
         double part[3] = {0, 0, 0};
         uint64_t own = bl_stream(key, s);
         for (uint32_t done = 0, count; done < samples; done += count) {
-            count = samples - done < BATCH ? samples - done : BATCH;
+            count = samples - done < BL_BATCH ? samples - done : BL_BATCH;
             for (uint32_t i = 0; i < count; i++) {
-                bl_sobol_place(done + i, own, place[i]);
-                place[i][0] = x + pixel_offset(pixel, place[i][0]);
-                place[i][1] = y + pixel_offset(pixel, place[i][1]);
+                double place[2];
+                bl_sobol_place(done + i, own, place);
+                at_x[i] = x + pixel_offset(pixel, place[0]);
+                at_y[i] = y + pixel_offset(pixel, place[1]);
             }
-            add_colours(scene, (const double(*)[2])place, count, part);
+            add_colours(scene, at_x, at_y, count, part);
         }
         for (int c = 0; c < 3; c++) {
             part[c] /= samples;
@@ -158,18 +157,15 @@ static int is_along_axes(const bl_view *view) {
 }
 
 static void fill_exact(const bl_scene *scene, const bl_signal *exact, bl_reference *reference) {
-    for (size_t j = 0; j < reference->height; j++)
-        for (size_t i = 0; i < reference->width; i++) {
-            bl_sight sight;
-            double width[BL_AXES], *rgb = &reference->rgb[3 * (j * reference->width + i)];
-            if (!bl_view_see(scene->view, (double)i + 0.5, (double)j + 0.5, &sight)) {
-                memcpy(rgb, scene->background, 3 * sizeof *rgb);
-                continue;
-            }
-            for (int a = 0; a < BL_AXES; a++)
-                width[a] = fabs(sight.across[a]) + fabs(sight.down[a]);
-            bl_signal_colour(exact, sight.at, width, rgb);
-        }
+    const size_t pixels = reference->width * reference->height;
+    const bl_width_rule rule = {.estimator = BL_WIDTH_SUM, .scale = 1};
+    bl_scene filtered = *scene;
+    filtered.signal = exact;
+    for (size_t first = 0; first < pixels; first += BL_BATCH) {
+        double x[BL_BATCH], y[BL_BATCH];
+        size_t count = bl_view_pixels(scene->view, first, x, y);
+        bl_scene_filtered(&filtered, &rule, x, y, count, reference->rgb + 3 * first);
+    }
     reference->exact = 1;
     reference->samples = 1;
 }

@@ -13,16 +13,18 @@
 bl_status bl_scene_make(const bl_signal *signal, const bl_view *view, uint64_t seed,
                         bl_scene *scene, double *seen, bl_message *message);
 
-// The luminance of a pixel as a method gives it, for what samples images: `user` is a
-// bl_scene_method.
+// The luminances of pixels as a method gives them, for what samples images (aliasing/energy.h):
+// `user` is a bl_scene_method.
 typedef struct bl_scene_method {
     const bl_scene *scene;
     const bl_method_kind *kind;
     const void *parameters;
 } bl_scene_method;
-double bl_scene_luminance(const void *user, double x, double y);
+void bl_scene_luminances(const void *user, const double *x, const double *y, size_t count,
+                         double *out);
 // The same of the unfiltered signal: `user` is a bl_scene.
-double bl_scene_raw_luminance(const void *user, double x, double y);
+void bl_scene_raw_luminances(const void *user, const double *x, const double *y, size_t count,
+                             double *out);
 
 // The image of a method, 3 values a pixel, row by row, in `threads` threads (0: all).
 void bl_scene_image(const bl_scene_method *method, int threads, double *rgb);

@@ -26,3 +26,25 @@ int bl_view_see(const bl_view *view, double x, double y, bl_sight *sight) {
     }
     return seen;
 }
+
+bl_footprint bl_sight_footprint(const bl_sight *sight, const bl_width_rule *rule) {
+    bl_footprint footprint;
+    for (int a = 0; a < BL_AXES; a++) {
+        footprint.across[a] = rule->scale * sight->across[a];
+        footprint.down[a] = rule->scale * sight->down[a];
+        footprint.width[a] =
+            rule->scale * bl_sample_width(rule->estimator, sight->across[a], sight->down[a],
+                                          sight->distance, rule->k);
+    }
+    return rule->estimator == BL_WIDTH_DISTANCE ? bl_footprint_of_widths(footprint.width)
+                                                : footprint;
+}
+
+size_t bl_view_pixels(const bl_view *view, size_t first, double x[BL_BATCH], double y[BL_BATCH]) {
+    size_t rest = view->width * view->height - first, count = rest < BL_BATCH ? rest : BL_BATCH;
+    for (size_t i = 0; i < count; i++) {
+        x[i] = (double)((first + i) % view->width) + 0.5;
+        y[i] = (double)((first + i) / view->width) + 0.5;
+    }
+    return count;
+}

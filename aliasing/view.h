@@ -14,6 +14,7 @@
 #include "core/registry.h"
 #include "core/grammar.h"
 #include "core/signal.h"
+#include "filters/sample_width.h"
 
 // What one place of the image sees.
 typedef struct bl_sight {
@@ -23,6 +24,18 @@ typedef struct bl_sight {
     double second[BL_AXES][3]; // second derivatives: right right, right down, down down
     double distance;           // from the eye, units; 1 for a view without an eye
 } bl_sight;
+
+// How wide the sample of a pixel is taken to be along each axis.
+typedef struct bl_width_rule {
+    bl_width_estimator estimator;
+    double scale; // a factor on all widths
+    double k;     // of BL_WIDTH_DISTANCE: units a unit of distance
+} bl_width_rule;
+
+// The footprint of a pixel that sees this: its sides are the first derivatives, its widths follow
+// the rule. (Second derivatives, by which sides differ within a pixel, are left out.) An estimate
+// without derivatives, as that of the distance, makes an upright footprint.
+bl_footprint bl_sight_footprint(const bl_sight *sight, const bl_width_rule *rule);
 
 typedef struct bl_view_kind {
     BL_ENTRY(title, summary);
@@ -59,6 +72,10 @@ void bl_view_close(bl_view *view);
 
 // What the view sees at a place of its image; 0 for nothing. Thread-safe.
 int bl_view_see(const bl_view *view, double x, double y, bl_sight *sight);
+
+// The centres of the pixels from number `first` on, row by row: up to BL_BATCH, as many as there are,
+// which is what it returns.
+size_t bl_view_pixels(const bl_view *view, size_t first, double x[BL_BATCH], double y[BL_BATCH]);
 
 // Names the descriptor of a view file: BL_VIEW_DESCRIPTOR(plane) = {...};
 #define BL_VIEW_DESCRIPTOR(stem)                                                                   \

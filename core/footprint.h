@@ -65,6 +65,27 @@ static inline void bl_samples_place(const bl_samples *samples, size_t i, double 
 bl_samples bl_samples_part(const bl_samples *samples, size_t first, size_t most);
 
 // How many samples those who go through many take at a time, with room for them on the stack.
-enum { BL_BATCH = 64 };
+enum { BL_BATCH = 128 };
+
+// A batch that is gathered place by place: number k is that of the caller's `of[k]`.
+typedef struct bl_gathered {
+    double at[BL_AXES][BL_BATCH];
+    size_t of[BL_BATCH], count;
+} bl_gathered;
+
+// At most BL_BATCH places fit.
+static inline void bl_gather(bl_gathered *gathered, size_t of, const double at[BL_AXES]) {
+    for (int a = 0; a < BL_AXES; a++)
+        gathered->at[a][gathered->count] = at[a];
+    gathered->of[gathered->count++] = of;
+}
+
+static inline bl_samples bl_gathered_samples(const bl_gathered *gathered,
+                                             const bl_footprint *footprint, size_t step) {
+    return (bl_samples){{gathered->at[0], gathered->at[1], gathered->at[2], gathered->at[3]},
+                        footprint,
+                        step,
+                        gathered->count};
+}
 
 #endif

@@ -48,19 +48,27 @@ static double sinc(double f) {
 
 // --- energies -----------------------------------------------------------------------------------
 
-static double below(const void *user, double x, double y) {
-    (void)user;
+typedef double image_at(double x, double y);
+
+// `user` is a pointer to such a function.
+static void fill_image(const void *user, const double *x, const double *y, size_t count,
+                       double *out) {
+    image_at *const *at = user;
+    for (size_t i = 0; i < count; i++)
+        out[i] = (*at)(x[i], y[i]);
+}
+
+static double below(double x, double y) {
     return cos(2 * M_PI * (0.11 * x + 0.07 * y)) + 0.5 * sin(2 * M_PI * (0.2 * x - 0.13 * y));
 }
 
-static double sharpened(const void *user, double x, double y) {
-    double v = below(user, x, y);
+static double sharpened(double x, double y) {
+    double v = below(x, y);
     return v > 0 ? v + 0.3 : 0.7 * v;
 }
 
 // Sums over the grid, weighted as the transform is.
-static double weighted_square(bl_image_value f, bl_image_value g, size_t oversample,
-                              const double shift[2]) {
+static double weighted_square(image_at *f, image_at *g, size_t oversample, const double shift[2]) {
     size_t n = SIZE * oversample;
     double *w = malloc(n * sizeof *w), sum = 0, weights = 0;
     bl_window_fill(BL_WINDOW_HANN, n, w);
@@ -68,7 +76,7 @@ static double weighted_square(bl_image_value f, bl_image_value g, size_t oversam
         for (size_t i = 0; i < n; i++) {
             double x = shift[0] + (double)i / (double)oversample;
             double y = shift[1] + (double)j / (double)oversample;
-            double d = (g(NULL, x, y) - (f ? f(NULL, x, y) : 0)) * w[i] * w[j];
+            double d = (g(x, y) - (f ? f(x, y) : 0)) * w[i] * w[j];
             sum += d * d;
             weights += w[i] * w[i] * w[j] * w[j];
         }
@@ -81,11 +89,12 @@ static void test_alias_and_blur_sum_to_the_squared_error(void **state) {
     const double shift[2] = {0.3, 0.8};
     bl_image_spectrum truth, sampled;
     bl_message message;
-    assert_int_equal(
-        bl_image_spectrum_take(below, NULL, SIZE, SIZE, 8, shift, 0, 2, &truth, &message), BL_OK);
-    assert_int_equal(
-        bl_image_spectrum_take(sharpened, NULL, SIZE, SIZE, 4, shift, 0, 2, &sampled, &message),
-        BL_OK);
+    assert_int_equal(bl_image_spectrum_take(fill_image, &(image_at *){below}, SIZE, SIZE, 8, shift,
+                                            0, 2, &truth, &message),
+                     BL_OK);
+    assert_int_equal(bl_image_spectrum_take(fill_image, &(image_at *){sharpened}, SIZE, SIZE, 4,
+                                            shift, 0, 2, &sampled, &message),
+                     BL_OK);
     bl_energies energies = bl_image_energies(&sampled, &truth);
     // Parseval: the same sum, but for rounding.
     double total = weighted_square(NULL, sharpened, 4, shift);
@@ -105,8 +114,8 @@ static void test_alias_and_blur_sum_to_the_squared_error(void **state) {
     bl_image_spectrum_free(&sampled);
 }
 
-static double unfinished(const void *user, double x, double y) {
-    (void)user, (void)y;
+static double unfinished(double x, double y) {
+    (void)y;
     return x > 30 ? NAN : 1;
 }
 
@@ -115,12 +124,12 @@ static void test_spectra_refuse_what_they_cannot_hold(void **state) {
     const double shift[2] = {0, 0};
     bl_image_spectrum spectrum;
     bl_message message;
-    assert_int_equal(
-        bl_image_spectrum_take(unfinished, NULL, SIZE, SIZE, 1, shift, 0, 1, &spectrum, &message),
-        BL_MISMATCH);
-    assert_int_equal(
-        bl_image_spectrum_take(below, NULL, 1 << 20, 1 << 20, 4, shift, 0, 1, &spectrum, &message),
-        BL_MISMATCH);
+    assert_int_equal(bl_image_spectrum_take(fill_image, &(image_at *){unfinished}, SIZE, SIZE, 1,
+                                            shift, 0, 1, &spectrum, &message),
+                     BL_MISMATCH);
+    assert_int_equal(bl_image_spectrum_take(fill_image, &(image_at *){below}, 1 << 20, 1 << 20, 4,
+                                            shift, 0, 1, &spectrum, &message),
+                     BL_MISMATCH);
 }
 
 // --- methods on a wave --------------------------------------------------------------------------

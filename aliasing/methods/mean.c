@@ -45,21 +45,34 @@ static double kept(const mean_parameters *p, const bl_scene *scene, const bl_sig
     return fmin(fmax((p->to - t) / (p->to - p->from), 0), 1);
 }
 
-static void sample(const void *block, const bl_scene *scene, double x, double y, double rgb[3]) {
-    static const double none[BL_AXES] = {0};
-    bl_sight sight;
-    if (!bl_view_see(scene->view, x, y, &sight)) {
-        memcpy(rgb, scene->background, 3 * sizeof *rgb);
-        return;
+// Up to BL_BATCH pixels. What is not shown need not be computed.
+static void sample_batch(const mean_parameters *p, const bl_scene *scene, const double *x,
+                         const double *y, size_t count, double *rgb) {
+    bl_gathered shown = {.count = 0};
+    double share[BL_BATCH], colour[3 * BL_BATCH];
+    for (size_t i = 0; i < count; i++) {
+        bl_sight sight;
+        int sees = bl_view_see(scene->view, x[i], y[i], &sight);
+        memcpy(rgb + 3 * i, sees ? scene->mean : scene->background, 3 * sizeof *rgb);
+        share[i] = sees ? kept(p, scene, &sight) : 0;
+        if (share[i] != 0)
+            bl_gather(&shown, i, sight.at);
     }
-    double share = kept(block, scene, &sight);
-    memcpy(rgb, scene->mean, 3 * sizeof *rgb);
-    if (share == 0)
-        return; // what is not shown need not be computed
-    double colour[3];
-    bl_signal_colour(scene->signal, sight.at, none, colour);
-    for (int c = 0; c < 3; c++)
-        rgb[c] += share * (colour[c] - rgb[c]);
+    const bl_samples samples = bl_gathered_samples(&shown, &bl_footprint_point, 0);
+    bl_signal_colours(scene->signal, &samples, colour);
+    for (size_t k = 0; k < shown.count; k++)
+        for (size_t c = 0; c < 3; c++) {
+            double *out = &rgb[3 * shown.of[k] + c];
+            *out += share[shown.of[k]] * (colour[3 * k + c] - *out);
+        }
+}
+
+static void sample(const void *block, const bl_scene *scene, const double *x, const double *y,
+                   size_t count, double *rgb) {
+    for (size_t done = 0; done < count; done += BL_BATCH) {
+        size_t here = count - done < BL_BATCH ? count - done : BL_BATCH;
+        sample_batch(block, scene, x + done, y + done, here, rgb + 3 * done);
+    }
 }
 
 static double samples(const void *parameters) {

@@ -14,7 +14,6 @@
 //
 // Source: peachey2003, Analytic Prefiltering.
 #include <stddef.h>
-#include <string.h>
 
 #include "aliasing/method.h"
 
@@ -23,18 +22,11 @@ typedef struct own_parameters {
     double scale, k;
 } own_parameters;
 
-static void sample(const void *block, const bl_scene *scene, double x, double y, double rgb[3]) {
+static void sample(const void *block, const bl_scene *scene, const double *x, const double *y,
+                   size_t count, double *rgb) {
     const own_parameters *p = block;
-    bl_sight sight;
-    double width[BL_AXES];
-    if (!bl_view_see(scene->view, x, y, &sight)) {
-        memcpy(rgb, scene->background, 3 * sizeof *rgb);
-        return;
-    }
-    for (int a = 0; a < BL_AXES; a++)
-        width[a] = p->scale * bl_sample_width((bl_width_estimator)p->width, sight.across[a],
-                                              sight.down[a], sight.distance, p->k);
-    bl_signal_colour(scene->signal, sight.at, width, rgb);
+    const bl_width_rule rule = {(bl_width_estimator)p->width, p->scale, p->k};
+    bl_scene_filtered(scene, &rule, x, y, count, rgb);
 }
 
 static double samples(const void *parameters) {

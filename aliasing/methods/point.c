@@ -5,10 +5,10 @@
 // Source: peachey2003, Signal Processing.
 #include "aliasing/method.h"
 
-static void sample(const void *parameters, const bl_scene *scene, double x, double y,
-                   double rgb[3]) {
+static void sample(const void *parameters, const bl_scene *scene, const double *x, const double *y,
+                   size_t count, double *rgb) {
     (void)parameters;
-    bl_scene_point(scene, x, y, rgb);
+    bl_scene_points(scene, x, y, count, rgb);
 }
 
 static double samples(const void *parameters) {

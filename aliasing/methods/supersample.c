@@ -37,26 +37,40 @@ static uint32_t side_of(const supersample_parameters *p) {
     return (uint32_t)ceil(2 * reach_of(bl_filter_at(p->pixel)) * p->n);
 }
 
-static void sample(const void *block, const bl_scene *scene, double x, double y, double rgb[3]) {
-    const supersample_parameters *p = block;
+static void sample_pixel(const supersample_parameters *p, const bl_scene *scene, double x, double y,
+                         double rgb[3]) {
     const bl_filter *filter = bl_filter_at(p->pixel);
     const uint32_t side = side_of(p);
     const double reach = reach_of(filter);
     const uint64_t key = bl_pattern_key(scene->seed, x, y);
     const int box = filter->support == 0.5; // constant, whatever its two ends are
     double sum[3] = {0, 0, 0}, weights = 0;
-    for (uint32_t i = 0; i < side * side; i++) {
-        double place[2], colour[3];
-        bl_pattern_place((bl_pattern)p->pattern, side, i, key, place);
-        double right = reach * (2 * place[0] - 1), down = reach * (2 * place[1] - 1);
-        double weight = box ? 1 : filter->kernel(right) * filter->kernel(down);
-        bl_scene_point(scene, x + right, y + down, colour);
-        for (int c = 0; c < 3; c++)
-            sum[c] += weight * colour[c];
-        weights += weight;
+    double at_x[BL_BATCH], at_y[BL_BATCH], weight[BL_BATCH], colour[3 * BL_BATCH];
+    for (uint32_t done = 0, here; done < side * side; done += here) {
+        here = side * side - done < BL_BATCH ? side * side - done : BL_BATCH;
+        for (uint32_t i = 0; i < here; i++) {
+            double place[2];
+            bl_pattern_place((bl_pattern)p->pattern, side, done + i, key, place);
+            double right = reach * (2 * place[0] - 1), down = reach * (2 * place[1] - 1);
+            weight[i] = box ? 1 : filter->kernel(right) * filter->kernel(down);
+            at_x[i] = x + right;
+            at_y[i] = y + down;
+        }
+        bl_scene_points(scene, at_x, at_y, here, colour);
+        for (uint32_t i = 0; i < here; i++) {
+            for (uint32_t c = 0; c < 3; c++)
+                sum[c] += weight[i] * colour[3 * i + c];
+            weights += weight[i];
+        }
     }
     for (int c = 0; c < 3; c++)
         rgb[c] = sum[c] / weights;
+}
+
+static void sample(const void *block, const bl_scene *scene, const double *x, const double *y,
+                   size_t count, double *rgb) {
+    for (size_t i = 0; i < count; i++)
+        sample_pixel(block, scene, x[i], y[i], rgb + 3 * i);
 }
 
 static double samples(const void *block) {

@@ -237,11 +237,14 @@ typedef struct error_image {
     const bl_reference *reference;
 } error_image;
 
-static double error_at(const void *user, double x, double y) {
+static void fill_errors(const void *user, const double *x, const double *y, size_t count,
+                        double *out) {
     const error_image *e = user;
-    size_t i = 3 * ((size_t)y * e->reference->width + (size_t)x); // places are centres of pixels
-    return bl_colour_component(e->row->image + i, 0) -
-           bl_colour_component(e->reference->rgb + i, 0);
+    for (size_t i = 0; i < count; i++) { // places are centres of pixels
+        size_t p = 3 * ((size_t)y[i] * e->reference->width + (size_t)x[i]);
+        out[i] = bl_colour_component(e->row->image + p, 0) -
+                 bl_colour_component(e->reference->rgb + p, 0);
+    }
 }
 
 typedef struct error_lines {
@@ -253,9 +256,9 @@ static error_lines measure_lines(bl_run *run, const bl_alias_result *m, const bl
     const error_image image = {row, reference};
     error_lines lines = {0, 0};
     bl_image_spectrum spectrum;
-    bl_run_must(run, bl_image_spectrum_take(error_at, &image, reference->width, reference->height,
-                                            1, (const double[2]){0.5, 0.5}, 0, 1, &spectrum,
-                                            bl_run_message(run)));
+    bl_run_must(run, bl_image_spectrum_take(fill_errors, &image, reference->width,
+                                            reference->height, 1, (const double[2]){0.5, 0.5}, 0, 1,
+                                            &spectrum, bl_run_message(run)));
     size_t half = reference->width / 2 + 1;
     for (size_t k = 0; k < half * reference->height; k++) {
         const double *c = spectrum.coefficient + 2 * k;
