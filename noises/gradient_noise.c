@@ -66,20 +66,24 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
         bl_gradient_points_in(&noise, p->dimensions, at, count, out);
 }
 
-static double reference(const void *block, const double at[BL_AXES], double gradient[BL_AXES]) {
+static double reference(const void *block, const bl_gradient_noise *noise, const double at[BL_AXES],
+                        double gradient[BL_AXES]) {
     const gradient_parameters *p = block;
-    bl_gradient_noise noise = gradient_noise_of(block);
     if (p->dimensions == 3)
-        return bl_gradient_reference(&noise, at, gradient);
-    return bl_gradient_reference_in(&noise, p->dimensions, at, gradient);
+        return bl_gradient_reference(noise, at, gradient);
+    return bl_gradient_reference_in(noise, p->dimensions, at, gradient);
 }
 
-static double value(const void *block, const double at[BL_AXES]) {
-    return reference(block, at, NULL);
+static double value_at(const void *block, const bl_gradient_noise *noise,
+                       const double at[BL_AXES]) {
+    return reference(block, noise, at, NULL);
 }
+
+BL_VALUES_OF_OPENED(bl_gradient_noise, gradient_noise_of)
 
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
-    reference(block, at, out);
+    const bl_gradient_noise noise = gradient_noise_of(block);
+    reference(block, &noise, at, out);
 }
 
 // E[g_a^2] of a component of the gradients.
@@ -155,5 +159,5 @@ BL_NOISE_DESCRIPTOR(gradient_noise) = {
     .has_closed_form = has_closed_form,
     .textbook = bl_textbook_gradient,
     .textbook_settings = BL_TEXTBOOK_GRADIENTS,
-    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

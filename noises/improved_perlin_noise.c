@@ -60,10 +60,13 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
     bl_gradient_points(&noise, at, count, out);
 }
 
-static double value(const void *block, const double at[BL_AXES]) {
-    bl_gradient_noise noise = gradient_noise_of(block);
-    return bl_gradient_reference(&noise, at, NULL);
+static double value_at(const void *block, const bl_gradient_noise *noise,
+                       const double at[BL_AXES]) {
+    (void)block;
+    return bl_gradient_reference(noise, at, NULL);
 }
+
+BL_VALUES_OF_OPENED(bl_gradient_noise, gradient_noise_of)
 
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
     bl_gradient_noise noise = gradient_noise_of(block);
@@ -142,5 +145,5 @@ BL_NOISE_DESCRIPTOR(improved_perlin_noise) = {
     .has_closed_form = has_closed_form,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_GRADIENTS,
-    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

@@ -64,10 +64,12 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
     to_unit(out, count);
 }
 
-static double value(const void *block, const double at[BL_AXES]) {
-    bl_value_noise noise = value_noise_of(block);
-    return 0.5 + 0.5 * bl_value_reference(&noise, at, NULL);
+static double value_at(const void *block, const bl_value_noise *noise, const double at[BL_AXES]) {
+    (void)block;
+    return 0.5 + 0.5 * bl_value_reference(noise, at, NULL);
 }
+
+BL_VALUES_OF_OPENED(bl_value_noise, value_noise_of)
 
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
     bl_value_noise noise = value_noise_of(block);
@@ -147,5 +149,5 @@ BL_NOISE_DESCRIPTOR(rayshade_noise) = {
     .has_closed_form = has_closed_form,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_VALUES,
-    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

@@ -92,13 +92,22 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
     }
 }
 
-static double value(const void *block, const double at[BL_AXES]) {
-    const sum_parameters *p = block;
-    bl_value_noise values = value_part(p);
-    bl_gradient_noise gradients = gradient_part(p);
-    return p->value * bl_value_reference(&values, at, NULL) +
-           p->gradient * bl_gradient_reference(&gradients, at, NULL);
+typedef struct both_parts {
+    bl_value_noise values;
+    bl_gradient_noise gradients;
+} both_parts;
+
+static both_parts open_parts(const void *block) {
+    return (both_parts){value_part(block), gradient_part(block)};
 }
+
+static double value_at(const void *block, const both_parts *parts, const double at[BL_AXES]) {
+    const sum_parameters *p = block;
+    return p->value * bl_value_reference(&parts->values, at, NULL) +
+           p->gradient * bl_gradient_reference(&parts->gradients, at, NULL);
+}
+
+BL_VALUES_OF_OPENED(both_parts, open_parts)
 
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
     const sum_parameters *p = block;
@@ -209,5 +218,5 @@ BL_NOISE_DESCRIPTOR(value_gradient_sum) = {
     .has_closed_form = has_closed_form,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_PERM256,
-    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

@@ -80,26 +80,45 @@ static double lost_variance(const marble_parameters *p, double width) {
     return lost;
 }
 
-static bl_colour colour_at(const marble_parameters *p, const double at[BL_AXES], double width) {
-    const double place[BL_AXES] = {at[0] * p->scale, at[1] * p->scale, at[2] * p->scale};
-    double cells = p->seeing.filter == NONE ? 0 : width * p->scale;
-    double m = bl_octaves_value_for_width(p->sum, place, cells);
-    if (p->seeing.filter != MAP)
-        return bl_colour_clamp(bl_colour_spline_at(&map, 2 * m + 0.75));
+// The colour of a sum of octaves at a sample of this width, in cells.
+static bl_colour colour_of(const marble_parameters *p, double sum, double cells) {
+    double x = 2 * sum + 0.75;
+    return bl_colour_clamp(p->seeing.filter == MAP
+                               ? bl_colour_spline_normal(&map, x, 2 * sqrt(lost_variance(p, cells)))
+                               : bl_colour_spline_at(&map, x));
+}
+
+static bl_colour mean_of(const marble_parameters *p) {
     return bl_colour_clamp(
-        bl_colour_spline_normal(&map, 2 * m + 0.75, 2 * sqrt(lost_variance(p, cells))));
+        bl_colour_spline_normal(&map, 0.75, 2 * sqrt(lost_variance(p, INFINITY))));
 }
 
-static bl_colour see(const marble_parameters *p, const double at[BL_AXES],
-                     const bl_footprint *footprint) {
-    double widest = bl_footprint_widest(footprint, 3);
-    if (bl_footprint_is_whole(footprint, 3))
-        return bl_colour_clamp(
-            bl_colour_spline_normal(&map, 0.75, 2 * sqrt(lost_variance(p, INFINITY))));
-    return colour_at(p, at, widest);
+// Up to BL_BATCH samples.
+static void see_batch(const marble_parameters *p, const bl_samples *samples, double *rgb) {
+    bl_gathered inside = {.count = 0};
+    double cells[BL_BATCH], sum[BL_BATCH];
+    for (size_t i = 0; i < samples->count; i++) {
+        const bl_footprint *footprint = bl_samples_footprint(samples, i);
+        double at[BL_AXES];
+        bl_samples_place(samples, i, at);
+        if (!bl_texture_is_seen(at, footprint, 3)) {
+            bl_colour_put(bl_colour_missing, rgb + 3 * i);
+        } else if (bl_footprint_is_whole(footprint, 3)) {
+            bl_colour_put(mean_of(p), rgb + 3 * i);
+        } else {
+            const double place[BL_AXES] = {at[0] * p->scale, at[1] * p->scale, at[2] * p->scale};
+            double widest = bl_footprint_widest(footprint, 3);
+            cells[inside.count] = p->seeing.filter == NONE ? 0 : widest * p->scale;
+            bl_gather(&inside, i, place);
+        }
+    }
+    const bl_samples gathered = bl_gathered_samples(&inside, &bl_footprint_point, 0);
+    bl_octaves_values_for_widths(p->sum, gathered.at, cells, gathered.count, sum);
+    for (size_t k = 0; k < gathered.count; k++)
+        bl_colour_put(colour_of(p, sum[k], cells[k]), rgb + 3 * inside.of[k]);
 }
 
-BL_TEXTURE_ABILITIES(marble_parameters, 3)
+BL_TEXTURE_BATCH_ABILITIES(marble_parameters)
 
 static void release(void *block) {
     marble_parameters *p = block;

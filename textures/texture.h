@@ -81,7 +81,7 @@ int bl_texture_is_seen(const double at[BL_AXES], const bl_footprint *footprint,
 // where it is seen, `static bl_colour see(const block *, const double at[BL_AXES], const
 // bl_footprint *footprint)`.
 #define BL_TEXTURE_ABILITIES(block, dimensions)                                                    \
-    static void see_all(const block *p, const bl_samples *samples, double *rgb) {                  \
+    static void see_batch(const block *p, const bl_samples *samples, double *rgb) {                \
         for (size_t i = 0; i < samples->count; i++) {                                              \
             const bl_footprint *footprint = bl_samples_footprint(samples, i);                      \
             double at[BL_AXES];                                                                    \
@@ -92,11 +92,14 @@ int bl_texture_is_seen(const double at[BL_AXES], const bl_footprint *footprint,
     }                                                                                              \
     BL_TEXTURE_BATCH_ABILITIES(block)
 
-// The same after one function for a batch, `static void see_all(const block *, const bl_samples *,
-// double *rgb)`, of a texture that makes something once for all its samples.
+// The same after one function for up to BL_BATCH samples, `static void see_batch(const block *,
+// const bl_samples *, double *rgb)`, of a texture that makes something once for all of them.
 #define BL_TEXTURE_BATCH_ABILITIES(block)                                                          \
     static void colour(const void *parameters, const bl_samples *samples, double *rgb) {           \
-        see_all(parameters, samples, rgb);                                                         \
+        for (size_t done = 0; done < samples->count; done += BL_BATCH) {                           \
+            const bl_samples part = bl_samples_part(samples, done, BL_BATCH);                      \
+            see_batch(parameters, &part, rgb + 3 * done);                                          \
+        }                                                                                          \
     }                                                                                              \
     static void filtered(const void *parameters, const bl_samples *samples, double *out) {         \
         bl_texture_filtered(colour, parameters, ((const block *)parameters)->seeing.component,     \

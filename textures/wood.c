@@ -72,31 +72,60 @@ static double share_of_late(const wood_parameters *p, double r, double width) {
     return kept < 1 ? 0.5 + (ring(r) - 0.5) * kept : ring(r);
 }
 
-static bl_colour colour_at(const wood_parameters *p, const double at[BL_AXES], double width) {
-    bl_octave_clamp clamp =
-        p->seeing.filter == INTEGRAL ? BL_CLAMP_FADE : (bl_octave_clamp)p->seeing.filter;
-    double fibre = p->fibre * bl_octave_kept(FIBRES, clamp, width), grain = 0;
-    double r = p->rings * sqrt(at[0] * at[0] + at[1] * at[1]) +
-               p->wobble * bl_noise_source_value(&p->noise, at[0], at[1], 0.25 * at[2]);
-    if (fibre > 0)
-        grain = fibre * bl_noise_source_value(&p->noise, FIBRES * at[0], FIBRES * at[1], at[2]);
+// What the two noises of a sample make of it: that of the rings, and that of the fibres.
+static bl_colour colour_of(const wood_parameters *p, const double at[BL_AXES], double width,
+                           double fibre, const double noise[2]) {
+    double r = p->rings * sqrt(at[0] * at[0] + at[1] * at[1]) + p->wobble * noise[0];
     bl_colour seen = bl_colour_mix(early, late, share_of_late(p, r, width));
     for (int c = 0; c < 3; c++)
-        seen.rgb[c] *= 1 + grain;
+        seen.rgb[c] *= 1 + (fibre > 0 ? fibre * noise[1] : 0);
     return bl_colour_clamp(seen);
 }
 
-static bl_colour see(const wood_parameters *p, const double at[BL_AXES],
-                     const bl_footprint *footprint) {
-    double widest = bl_footprint_widest(footprint, 3);
-    if (!(fabs(at[0]) <= 0x1p50 && fabs(at[1]) <= 0x1p50))
-        return bl_colour_missing;
-    if (bl_footprint_is_whole(footprint, 3) || (isinf(widest) && p->seeing.filter != NONE))
-        return bl_colour_mix(early, late, 0.5);
-    return colour_at(p, at, isinf(widest) ? 0 : widest);
+// How strong the fibres of a sample are.
+static double fibre_of(const wood_parameters *p, double width) {
+    bl_octave_clamp clamp =
+        p->seeing.filter == INTEGRAL ? BL_CLAMP_FADE : (bl_octave_clamp)p->seeing.filter;
+    return p->fibre * bl_octave_kept(FIBRES, clamp, width);
 }
 
-BL_TEXTURE_ABILITIES(wood_parameters, 3)
+// Up to BL_BATCH samples.
+static void see_batch(const wood_parameters *p, const bl_samples *samples, double *rgb) {
+    bl_gathered rings = {.count = 0}, fibres = {.count = 0};
+    double width[BL_BATCH], fibre[BL_BATCH], noise[BL_BATCH], noises[BL_BATCH][2];
+    for (size_t i = 0; i < samples->count; i++) {
+        const bl_footprint *footprint = bl_samples_footprint(samples, i);
+        double at[BL_AXES], widest = bl_footprint_widest(footprint, 3);
+        bl_samples_place(samples, i, at);
+        if (!bl_texture_is_seen(at, footprint, 3) || fabs(at[0]) > 0x1p50 || fabs(at[1]) > 0x1p50) {
+            bl_colour_put(bl_colour_missing, rgb + 3 * i);
+        } else if (bl_footprint_is_whole(footprint, 3) ||
+                   (isinf(widest) && p->seeing.filter != NONE)) {
+            bl_colour_put(bl_colour_mix(early, late, 0.5), rgb + 3 * i);
+        } else {
+            width[i] = isinf(widest) ? 0 : widest;
+            fibre[i] = fibre_of(p, width[i]);
+            bl_gather(&rings, i, (const double[BL_AXES]){at[0], at[1], 0.25 * at[2]});
+            if (fibre[i] > 0)
+                bl_gather(&fibres, i,
+                          (const double[BL_AXES]){FIBRES * at[0], FIBRES * at[1], at[2]});
+        }
+    }
+    bl_noise_source_values(&p->noise, &rings, noise);
+    for (size_t k = 0; k < rings.count; k++)
+        noises[rings.of[k]][0] = noise[k];
+    bl_noise_source_values(&p->noise, &fibres, noise);
+    for (size_t k = 0; k < fibres.count; k++)
+        noises[fibres.of[k]][1] = noise[k];
+    for (size_t k = 0; k < rings.count; k++) {
+        size_t i = rings.of[k];
+        double at[BL_AXES];
+        bl_samples_place(samples, i, at);
+        bl_colour_put(colour_of(p, at, width[i], fibre[i], noises[i]), rgb + 3 * i);
+    }
+}
+
+BL_TEXTURE_BATCH_ABILITIES(wood_parameters)
 
 static bl_status build(void *block, bl_opener *open, bl_message *message) {
     (void)open;

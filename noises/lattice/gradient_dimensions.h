@@ -203,34 +203,31 @@ static inline void bl_gradient_row_in(const bl_gradient_noise *noise, unsigned d
 // The value at a point and, if `gradient` is not NULL, its gradient.
 static inline double bl_gradient_reference_in(const bl_gradient_noise *noise, unsigned dimensions,
                                               const double at[BL_AXES], double gradient[BL_AXES]) {
-    uint64_t cell[BL_AXES] = {0}, there[BL_AXES] = {0};
-    double fraction[BL_AXES], sum = 0, slopes[BL_AXES] = {0};
-    int inside = 1;
-    for (unsigned a = 0; a < dimensions; a++)
-        inside &= bl_lattice_split(at[a], &cell[a], &fraction[a]);
+    bl_reference_cells cells;
+    double fade[BL_AXES], rise[BL_AXES], sum = 0, slopes[BL_AXES] = {0};
+    int inside = bl_reference_cells_load(&cells, &noise->lattice, dimensions, at, 0, 2);
+    for (unsigned a = 0; inside && a < dimensions; a++)
+        fade[a] = bl_fade_value(noise->fade, cells.fraction[a], &rise[a]);
     for (unsigned corner = 0; inside && corner >> dimensions == 0; corner++) {
-        double product = 1, dot = 0, offset[BL_AXES], weight[BL_AXES], slope[BL_AXES];
+        double product = 1, dot = 0, weight[BL_AXES];
+        unsigned bit[BL_AXES] = {0};
         for (unsigned a = 0; a < dimensions; a++) {
-            unsigned bit = corner >> a & 1;
-            double rise, fade = bl_fade_value(noise->fade, fraction[a], &rise);
-            there[a] = cell[a] + bit;
-            offset[a] = fraction[a] - bit;
-            weight[a] = bit ? fade : 1 - fade;
-            slope[a] = bit ? rise : -rise;
+            bit[a] = corner >> a & 1;
+            weight[a] = bit[a] ? fade[a] : 1 - fade[a];
             product *= weight[a];
         }
-        uint32_t word = bl_lattice_word_in(&noise->lattice, dimensions, there, 0);
-        uint32_t second = bl_lattice_word_in(&noise->lattice, dimensions, there, 1);
+        uint32_t word = bl_reference_word(&cells, bit, 0);
+        uint32_t second = dimensions == 4 ? bl_reference_word(&cells, bit, 1) : 0;
         bl_direction g = bl_direction_of(noise->gradients, dimensions, word, second);
         const double of[BL_AXES] = {g.x, g.y, g.z, g.w};
         for (unsigned a = 0; a < dimensions; a++)
-            dot += of[a] * offset[a];
+            dot += of[a] * (cells.fraction[a] - bit[a]);
         sum += dot * product;
-        for (unsigned a = 0; a < dimensions; a++) {
+        for (unsigned a = 0; gradient && a < dimensions; a++) {
             double others = 1;
             for (unsigned b = 0; b < dimensions; b++)
                 others *= b == a ? 1 : weight[b];
-            slopes[a] += of[a] * product + dot * slope[a] * others;
+            slopes[a] += of[a] * product + dot * (bit[a] ? rise[a] : -rise[a]) * others;
         }
     }
     for (int a = 0; gradient && a < BL_AXES; a++)

@@ -11,6 +11,7 @@
 #define BL_NOISES_LATTICE_GRADIENT_LOOPS_H
 
 #include "noises/closed_forms.h"
+#include "noises/lattice/reference.h"
 #include "noises/lattice/separable.h"
 
 typedef enum bl_fade { BL_FADE_CUBIC, BL_FADE_QUINTIC, BL_FADE_LINEAR } bl_fade;
@@ -386,28 +387,29 @@ static inline void bl_gradient_row(const bl_gradient_noise *noise, const double 
 // The value at a point and, if `gradient` is not NULL, its gradient.
 static inline double bl_gradient_reference(const bl_gradient_noise *noise, const double at[BL_AXES],
                                            double gradient[BL_AXES]) {
-    uint64_t cell[3];
-    double fraction[3], sum = 0, slopes[BL_AXES] = {0};
-    int inside = 1;
-    for (int a = 0; a < 3; a++)
-        inside &= bl_lattice_split(at[a], &cell[a], &fraction[a]);
-    for (unsigned corner = 0; inside && corner < 8; corner++) {
-        double w[3], s[3], d[3], g[3];
-        uint64_t there[3];
-        for (unsigned a = 0; a < 3; a++) {
-            unsigned bit = corner >> a & 1;
-            double slope, fade = bl_fade_value(noise->fade, fraction[a], &slope);
-            there[a] = cell[a] + bit;
-            d[a] = fraction[a] - bit;
-            w[a] = bit ? fade : 1 - fade;
-            s[a] = bit ? slope : -slope;
+    bl_reference_cells cells;
+    double d[3][2], w[3][2], s[3][2], sum = 0, slopes[BL_AXES] = {0};
+    int inside = bl_reference_cells_load(&cells, &noise->lattice, 3, at, 0, 2);
+    for (unsigned a = 0; inside && a < 3; a++) {
+        double slope, fade = bl_fade_value(noise->fade, cells.fraction[a], &slope);
+        for (unsigned bit = 0; bit < 2; bit++) {
+            d[a][bit] = cells.fraction[a] - bit;
+            w[a][bit] = bit ? fade : 1 - fade;
+            s[a][bit] = bit ? slope : -slope;
         }
-        bl_lattice_gradient(noise->gradients, bl_lattice_word(&noise->lattice, there, 0), g);
-        double dot = g[0] * d[0] + g[1] * d[1] + g[2] * d[2];
-        sum += dot * w[0] * w[1] * w[2];
-        slopes[0] += (g[0] * w[0] + dot * s[0]) * w[1] * w[2];
-        slopes[1] += (g[1] * w[1] + dot * s[1]) * w[0] * w[2];
-        slopes[2] += (g[2] * w[2] + dot * s[2]) * w[0] * w[1];
+    }
+    for (unsigned corner = 0; inside && corner < 8; corner++) {
+        const unsigned bit[BL_AXES] = {corner & 1, corner >> 1 & 1, corner >> 2};
+        const double wx = w[0][bit[0]], wy = w[1][bit[1]], wz = w[2][bit[2]];
+        double g[3];
+        bl_lattice_gradient(noise->gradients, bl_reference_word(&cells, bit, 0), g);
+        double dot = g[0] * d[0][bit[0]] + g[1] * d[1][bit[1]] + g[2] * d[2][bit[2]];
+        sum += dot * wx * wy * wz;
+        if (!gradient)
+            continue;
+        slopes[0] += (g[0] * wx + dot * s[0][bit[0]]) * wy * wz;
+        slopes[1] += (g[1] * wy + dot * s[1][bit[1]]) * wx * wz;
+        slopes[2] += (g[2] * wz + dot * s[2][bit[2]]) * wx * wy;
     }
     for (int a = 0; gradient && a < BL_AXES; a++)
         gradient[a] = inside ? slopes[a] : NAN;

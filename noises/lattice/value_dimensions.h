@@ -202,26 +202,26 @@ static inline void bl_value_row_in(const bl_value_noise *noise, unsigned dimensi
 // The value at a point and, if `gradient` is not NULL, its gradient.
 static inline double bl_value_reference_in(const bl_value_noise *noise, unsigned dimensions,
                                            const double at[BL_AXES], double gradient[BL_AXES]) {
-    uint64_t cell[BL_AXES] = {0}, there[BL_AXES] = {0};
-    double fraction[BL_AXES], sum = 0, slopes[BL_AXES] = {0};
-    int inside = 1;
-    for (unsigned a = 0; a < dimensions; a++)
-        inside &= bl_lattice_split(at[a], &cell[a], &fraction[a]);
-    for (int corner = 0; inside && corner >> 2 * dimensions == 0; corner++) {
+    bl_reference_cells cells;
+    bl_value_kernels_at kernels;
+    double sum = 0, slopes[BL_AXES] = {0};
+    int inside = bl_value_reference_load(noise, dimensions, at, &cells, &kernels);
+    for (unsigned corner = 0; inside && corner >> 2 * dimensions == 0; corner++) {
         double weight[1 + BL_AXES]; // of the value, and of its derivatives
-        for (unsigned n = 0; n <= dimensions; n++)
+        unsigned knot[BL_AXES] = {0};
+        const unsigned weights = gradient ? 1 + dimensions : 1;
+        for (unsigned n = 0; n < weights; n++)
             weight[n] = 1;
         for (unsigned a = 0; a < dimensions; a++) {
-            int d = (corner >> 2 * a & 3) - 1;
-            double slope, k = bl_interp_kernel(noise->interp, fraction[a] - d, &slope);
-            there[a] = cell[a] + (uint64_t)(int64_t)d;
-            for (unsigned n = 0; n <= dimensions; n++)
-                weight[n] *= n == a + 1 ? slope : k;
+            knot[a] = corner >> 2 * a & 3;
+            for (unsigned n = 0; n < weights; n++)
+                weight[n] *= n == a + 1 ? kernels.slope[a][knot[a]] : kernels.value[a][knot[a]];
         }
-        double v = bl_lattice_value(bl_lattice_word_in(&noise->lattice, dimensions, there, 0)) *
-                   BL_LATTICE_UNIT;
+        if (!gradient && weight[0] == 0)
+            continue; // adding a zero of either sign leaves the sum, which began as +0
+        double v = bl_lattice_value(bl_reference_word(&cells, knot, 0)) * BL_LATTICE_UNIT;
         sum += v * weight[0];
-        for (unsigned a = 0; a < dimensions; a++)
+        for (unsigned a = 0; gradient && a < dimensions; a++)
             slopes[a] += v * weight[1 + a];
     }
     for (int a = 0; gradient && a < BL_AXES; a++)

@@ -11,6 +11,7 @@
 #define BL_NOISES_LATTICE_VALUE_LOOPS_H
 
 #include "noises/closed_forms.h"
+#include "noises/lattice/reference.h"
 #include "noises/lattice/separable.h"
 
 typedef enum bl_interp {
@@ -356,27 +357,44 @@ static inline double bl_interp_kernel(bl_interp interp, double x, double *slope)
     return k;
 }
 
+// The kernel and its derivative at the planes -1 to 2 of a cell, along each axis.
+typedef struct bl_value_kernels_at {
+    double value[BL_AXES][BL_KNOTS], slope[BL_AXES][BL_KNOTS];
+} bl_value_kernels_at;
+
+// 0 for a place that is in no cell.
+static inline int bl_value_reference_load(const bl_value_noise *noise, unsigned dimensions,
+                                          const double at[BL_AXES], bl_reference_cells *cells,
+                                          bl_value_kernels_at *kernels) {
+    if (!bl_reference_cells_load(cells, &noise->lattice, dimensions, at, -1, BL_KNOTS))
+        return 0;
+    for (unsigned a = 0; a < dimensions; a++)
+        for (int k = 0; k < BL_KNOTS; k++)
+            kernels->value[a][k] = bl_interp_kernel(noise->interp, cells->fraction[a] - (k - 1),
+                                                    &kernels->slope[a][k]);
+    return 1;
+}
+
 // The value at a point and, if `gradient` is not NULL, its gradient.
 static inline double bl_value_reference(const bl_value_noise *noise, const double at[BL_AXES],
                                         double gradient[BL_AXES]) {
-    uint64_t cell[3];
-    double fraction[3], sum = 0, slopes[BL_AXES] = {0};
-    int inside = 1;
-    for (int a = 0; a < 3; a++)
-        inside &= bl_lattice_split(at[a], &cell[a], &fraction[a]);
-    for (int corner = 0; inside && corner < 64; corner++) {
-        const int d[3] = {corner % 4 - 1, corner / 4 % 4 - 1, corner / 16 - 1};
-        double k[3], s[3];
-        uint64_t there[3];
-        for (int a = 0; a < 3; a++) {
-            there[a] = cell[a] + (uint64_t)(int64_t)d[a];
-            k[a] = bl_interp_kernel(noise->interp, fraction[a] - d[a], &s[a]);
-        }
-        double v = bl_lattice_value(bl_lattice_word(&noise->lattice, there, 0)) * BL_LATTICE_UNIT;
+    bl_reference_cells cells;
+    bl_value_kernels_at kernels;
+    double sum = 0, slopes[BL_AXES] = {0};
+    int inside = bl_value_reference_load(noise, 3, at, &cells, &kernels);
+    for (unsigned corner = 0; inside && corner < 64; corner++) {
+        const unsigned knot[BL_AXES] = {corner & 3, corner >> 2 & 3, corner >> 4};
+        const double k[3] = {kernels.value[0][knot[0]], kernels.value[1][knot[1]],
+                             kernels.value[2][knot[2]]};
+        if (!gradient && (k[0] == 0 || k[1] == 0 || k[2] == 0))
+            continue; // adding a zero of either sign leaves the sum, which began as +0
+        double v = bl_lattice_value(bl_reference_word(&cells, knot, 0)) * BL_LATTICE_UNIT;
         sum += v * k[0] * k[1] * k[2];
-        slopes[0] += v * s[0] * k[1] * k[2];
-        slopes[1] += v * k[0] * s[1] * k[2];
-        slopes[2] += v * k[0] * k[1] * s[2];
+        if (!gradient)
+            continue;
+        slopes[0] += v * kernels.slope[0][knot[0]] * k[1] * k[2];
+        slopes[1] += v * k[0] * kernels.slope[1][knot[1]] * k[2];
+        slopes[2] += v * k[0] * k[1] * kernels.slope[2][knot[2]];
     }
     for (int a = 0; gradient && a < BL_AXES; a++)
         gradient[a] = inside ? slopes[a] : NAN;

@@ -116,6 +116,8 @@ double bl_octaves_constant(const bl_octaves *octaves, const bl_octaves_plan *pla
 // The abilities that all sums share, for their descriptors; `parameters` is the block.
 void bl_octaves_release(void *parameters);
 double bl_octaves_value(const void *parameters, const double at[BL_AXES]);
+void bl_octaves_values(const void *parameters, const double *const at[BL_AXES], size_t count,
+                       double *out);
 // The value for samples as far apart as the largest width of its axes says, or as the key width, if
 // that is larger.
 void bl_octaves_filtered(const void *parameters, const bl_samples *samples, double *out);
@@ -134,6 +136,9 @@ int bl_octaves_is_sum(const bl_signal *signal);
 // approximation of the mean over a box of that width, not that mean. NaN for a width that is
 // negative or NaN, and for a signal that is not a sum of octaves. Thread-safe.
 double bl_octaves_value_for_width(const bl_signal *sum, const double at[BL_AXES], double width);
+// The same at many places, each for its own width: fills out[i].
+void bl_octaves_values_for_widths(const bl_signal *sum, const double *const at[BL_AXES],
+                                  const double *width, size_t count, double *out);
 
 // The place of octave's basis for a place of the sum; only the first `dimensions` are filled.
 static inline void bl_octave_place(const bl_octave *octave, unsigned dimensions,
@@ -217,7 +222,7 @@ extern const char *const bl_octave_basis_examples[];
 // The functions of a sum whose octaves add up as they are, but for those of its own.
 #define BL_OCTAVES_FUNCTIONS                                                                       \
     .row = bl_octaves_row, .points = bl_octaves_points, .value = bl_octaves_value,                 \
-    .gradient = bl_octaves_gradient, .filtered = bl_octaves_filtered,                              \
+    .values = bl_octaves_values, .gradient = bl_octaves_gradient, .filtered = bl_octaves_filtered, \
     .release = bl_octaves_release
 
 #endif
