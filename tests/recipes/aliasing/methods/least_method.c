@@ -5,14 +5,16 @@
 
 #include "aliasing/method.h"
 
-static void sample(const void *parameters, const bl_scene *scene, double x, double y,
-                   double rgb[3]) {
-    double other[3];
+static void sample(const void *parameters, const bl_scene *scene, const double *x, const double *y,
+                   size_t count, double *rgb) {
     (void)parameters;
-    bl_scene_point(scene, x - 0.25, y, rgb);
-    bl_scene_point(scene, x + 0.25, y, other);
-    for (int c = 0; c < 3; c++)
-        rgb[c] = 0.5 * (rgb[c] + other[c]);
+    for (size_t i = 0; i < count; i++) {
+        const double at_x[2] = {x[i] - 0.25, x[i] + 0.25}, at_y[2] = {y[i], y[i]};
+        double two[6];
+        bl_scene_points(scene, at_x, at_y, 2, two);
+        for (size_t c = 0; c < 3; c++)
+            rgb[3 * i + c] = 0.5 * (two[c] + two[3 + c]);
+    }
 }
 
 static double samples(const void *parameters) {
