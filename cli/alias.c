@@ -3,8 +3,6 @@
 // The verb `alias`: what each way of sampling leaves of a signal under a view.
 #include "aliasing/alias.h"
 
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli/alias_files.h"

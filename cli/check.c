@@ -2,7 +2,6 @@
 //
 // The verb `check`: does a signal keep to its band, or is all true that it states? The exit status
 // is the verdict.
-#include <math.h>
 #include <string.h>
 
 #include "cli/claims.h"

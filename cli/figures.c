@@ -30,18 +30,24 @@ static char *joined_arguments(const bl_call *call) {
     return text;
 }
 
-static json_t *claim_json(const bl_claim *claim) {
-    json_t *object = json_object();
-    bl_json_set_text(object, "sentence", claim->sentence);
-    bl_json_set_text(object, "source", claim->source);
-    bl_json_set_text(object, "reading", claim->reading);
-    bl_json_set_text(object, "unit", claim->unit);
-    bl_json_set_number(object, "expected_lower", claim->expected_lower);
-    bl_json_set_number(object, "expected_upper", claim->expected_upper);
-    bl_json_set_estimate(object, "measured", &claim->measured);
-    bl_json_set_text(object, "verdict", bl_outcome_word(bl_claim_outcome(claim)));
-    return object;
+static void find_outcome(const bl_table *table, size_t row, bl_cell *cell) {
+    cell->word = bl_outcome_word(bl_claim_outcome((const bl_claim *)table->rows + row));
 }
+
+// clang-format off
+#define AT(member) .offset = offsetof(bl_claim, member)
+static const bl_field claim_fields[] = {
+    {"sentence", NULL, BL_CELL_WORD, AT(sentence)},
+    {"source", NULL, BL_CELL_WORD, AT(source)},
+    {"reading", NULL, BL_CELL_WORD, AT(reading)},
+    {"unit", NULL, BL_CELL_WORD, AT(unit)},
+    {"expected_lower", NULL, BL_CELL_REAL, AT(expected_lower)},
+    {"expected_upper", NULL, BL_CELL_REAL, AT(expected_upper)},
+    {"measured", NULL, BL_CELL_ESTIMATE, AT(measured)},
+    {"verdict", NULL, BL_CELL_WORD, .find = find_outcome},
+    {0}};
+#undef AT
+// clang-format on
 
 static json_t *outcomes_json(const size_t *outcomes) {
     json_t *object = json_object();
@@ -51,16 +57,16 @@ static json_t *outcomes_json(const size_t *outcomes) {
 }
 
 static json_t *figure_json(const bl_figure_result *result) {
-    json_t *object = json_object(), *files = json_array(), *claims = json_array();
+    json_t *object = json_object(), *files = json_array();
     bl_json_set_text(object, "name", result->figure->name);
     bl_json_set_text(object, "paper", result->figure->paper);
     bl_json_set_text(object, "folder", result->folder);
     for (size_t i = 0; i < result->file_count; i++)
         json_array_append_new(files, bl_json_text(result->files[i]));
-    for (size_t i = 0; i < result->claim_count; i++)
-        json_array_append_new(claims, claim_json(&result->claims[i]));
     json_object_set_new(object, "files", files);
-    json_object_set_new(object, "claims", claims);
+    json_object_set_new(
+        object, "claims",
+        bl_table_json(&BL_TABLE(claim_fields, result->claims, result->claim_count)));
     json_object_set_new(object, "verdicts", outcomes_json(result->outcomes));
     bl_json_set_number(object, "seconds", result->seconds);
     return object;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/spectral.h"
 
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli/csv.h"

@@ -3,8 +3,6 @@
 // The verb `trade`: what every alternative of a choice costs, and what it gets wrong.
 #include "score/trade.h"
 
-#include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli/json.h"

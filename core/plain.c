@@ -81,16 +81,6 @@ void bl_plain_number(FILE *out, double number, int digits) {
         fputs("not known", out);
 }
 
-void bl_plain_estimate(FILE *out, const bl_estimate *estimate, double level, int digits) {
-    bl_plain_number(out, estimate->value, digits);
-    if (!isfinite(estimate->lower) || !isfinite(estimate->upper))
-        return;
-    fprintf(out, "   %g %% interval ", 100 * level);
-    bl_plain_number(out, estimate->lower, digits);
-    fputs(" to ", out);
-    bl_plain_number(out, estimate->upper, digits);
-}
-
 bl_plain_size bl_plain_bytes(double bytes) {
     static const char *const units[] = {"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};
     size_t last = sizeof units / sizeof *units - 1, unit = 0;

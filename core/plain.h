@@ -8,7 +8,6 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "core/statistics.h"
 #include "core/verdict.h"
 
 // Prints text with every byte that a terminal would obey, or that is not UTF-8, as \xNN.
@@ -26,9 +25,6 @@ const char *bl_plain_end(int coloured);
 
 // Prints a number with so many digits; "not known" if it is not finite. -0 is 0.
 void bl_plain_number(FILE *out, double number, int digits);
-
-// Prints the value and, where both are known, the limits: "0.1   95 % interval 0.09 to 0.11".
-void bl_plain_estimate(FILE *out, const bl_estimate *estimate, double level, int digits);
 
 // "8.0 GB", "512 bytes": memory in powers of ten.
 typedef struct bl_plain_size {

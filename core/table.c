@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/table.h"
 
-#include "core/statistics.h"
-
 #include <math.h>
 #include <string.h>
+
+#include "core/statistics.h"
 
 // Where the value stands: in its row, or in its column; NULL: the column is not there.
 static const char *place_of(const bl_table *table, const bl_field *field, size_t row) {
@@ -14,10 +14,10 @@ static const char *place_of(const bl_table *table, const bl_field *field, size_t
         [BL_CELL_FLAG] = sizeof(int),          [BL_CELL_WORD] = sizeof(char *),
         [BL_CELL_VERDICT] = sizeof(bl_verdict)};
     const char *start = (const char *)table->rows + table->stride * row + field->offset;
+    const char *const *column = (const char *const *)(const void *)start;
     if (table->stride)
         return start;
-    memcpy(&start, start, sizeof start);
-    return start ? start + row * sizes[field->kind] : NULL;
+    return *column ? *column + row * sizes[field->kind] : NULL;
 }
 
 static void read_place(const bl_field *field, const char *place, bl_cell *cell) {

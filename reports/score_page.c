@@ -3,9 +3,6 @@
 // The page: the table, then for each signal what was found and the numbers behind it.
 #include "reports/score_page.h"
 
-#include <math.h>
-#include <string.h>
-
 #include "core/file.h"
 #include "core/version.h"
 #include "reports/html.h"
@@ -65,42 +62,30 @@ static void put_table(FILE *out, const bl_score_view *views, size_t count) {
     fputs("</tbody></table></div>\n", out);
 }
 
-static void put_number(FILE *out, double number) {
-    if (isfinite(number))
-        fprintf(out, "%.6g", number);
-    else
-        fputs(number < 0 ? "\u2212\u221e" : isnan(number) ? "not known" : "\u221e", out);
+static void find_interval(const bl_table *table, size_t row, bl_cell *cell) {
+    const bl_estimate *estimate = &((const bl_score_number *)table->rows)[row].estimate;
+    snprintf(cell->text, sizeof cell->text, "%.6g to %.6g (%g %%)", estimate->lower,
+             estimate->upper, 100 * estimate->level);
+    cell->word = estimate->level >= 1  ? "exact"
+                 : estimate->level > 0 ? cell->text
+                                       : "not estimated";
 }
 
-static void put_interval(FILE *out, const bl_estimate *estimate) {
-    if (estimate->level >= 1) {
-        fputs("exact", out);
-    } else if (estimate->level > 0) {
-        put_number(out, estimate->lower);
-        fputs(" to ", out);
-        put_number(out, estimate->upper);
-        fprintf(out, " (%g&nbsp;%%)", 100 * estimate->level);
-    } else {
-        fputs("not estimated", out);
-    }
-}
+#define AT(member) .offset = offsetof(bl_score_number, member)
+static const bl_field number_fields[] = {
+    {"name", "number", BL_CELL_WORD, AT(name)},
+    {"value", "value", BL_CELL_REAL, AT(estimate.value), .digits = 6},
+    {"interval", "interval", BL_CELL_WORD, .find = find_interval},
+    {0}};
+#undef AT
 
 static void put_numbers(FILE *out, const bl_score_property *result) {
     if (result->count == 0)
         return;
-    fprintf(out,
-            "<details><summary>%zu number%s</summary>\n<table class=\"numbers\"><thead><tr>"
-            "<th>Number</th><th>Value</th><th>Interval</th></tr></thead>\n<tbody>\n",
-            result->count, result->count == 1 ? "" : "s");
-    for (size_t k = 0; k < result->count; k++) {
-        bl_html_tagged(out, "<tr><td data-label=\"number\">", result->numbers[k].name,
-                       "</td><td data-label=\"value\">");
-        put_number(out, result->numbers[k].estimate.value);
-        fputs("</td><td data-label=\"interval\">", out);
-        put_interval(out, &result->numbers[k].estimate);
-        fputs("</td></tr>\n", out);
-    }
-    fputs("</tbody></table></details>\n", out);
+    fprintf(out, "<details><summary>%zu number%s</summary>\n", result->count,
+            result->count == 1 ? "" : "s");
+    bl_table_html(&BL_TABLE(number_fields, result->numbers, result->count), "numbers", out);
+    fputs("</details>\n", out);
 }
 
 static void put_signal(FILE *out, const bl_score_view *view, size_t index) {

@@ -62,15 +62,6 @@ void bl_json_set_numbers(json_t *object, const char *key, const double *numbers,
     json_object_set_new(object, key, numbers ? bl_json_numbers(numbers, count) : json_null());
 }
 
-void bl_json_set_estimate(json_t *object, const char *key, const bl_estimate *estimate) {
-    char name[64];
-    bl_json_set_number(object, key, estimate->value);
-    snprintf(name, sizeof name, "%s_lower", key);
-    bl_json_set_number(object, name, estimate->lower);
-    snprintf(name, sizeof name, "%s_upper", key);
-    bl_json_set_number(object, name, estimate->upper);
-}
-
 // --- tables -------------------------------------------------------------------------------------
 
 static json_t *cell_json(const bl_cell *cell) {

@@ -8,7 +8,6 @@
 #include <jansson.h>
 #include <stdint.h>
 
-#include "core/statistics.h"
 #include "core/table.h"
 
 // An array of objects, one a row.
@@ -30,7 +29,5 @@ void bl_json_set_text(json_t *object, const char *key, const char *text);
 void bl_json_set_number(json_t *object, const char *key, double number);
 void bl_json_set_count(json_t *object, const char *key, uint64_t count);
 void bl_json_set_numbers(json_t *object, const char *key, const double *numbers, size_t count);
-// Sets key, key_lower and key_upper.
-void bl_json_set_estimate(json_t *object, const char *key, const bl_estimate *estimate);
 
 #endif

@@ -5,6 +5,7 @@
 #include "tests/test.h"
 
 #include "core/plain.h"
+#include "core/statistics.h"
 #include "core/table.h"
 #include "reports/html.h"
 #include "reports/table_json.h"
