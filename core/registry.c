@@ -53,9 +53,11 @@ typedef struct search {
     size_t least;
 } search;
 
+// A number is no slip of another one.
 static void try_candidate(search *near, const char *candidate) {
     size_t length = strlen(near->word);
-    if (length > LONGEST_WORD || strlen(candidate) > LONGEST_WORD)
+    int is_number = near->word[strspn(near->word, "0123456789.+-")] == '\0';
+    if (is_number || length > LONGEST_WORD || strlen(candidate) > LONGEST_WORD)
         return;
     size_t distance = edit_distance(near->word, candidate);
     if (distance < near->least && distance <= (length + 1) / 2) {
@@ -102,9 +104,12 @@ bl_status bl_report_unknown(const bl_unknown *unknown, bl_message *message) {
         snprintf(all, sizeof all, "%s are %s", told.near.best ? "There" : "there", told.text);
     else
         snprintf(all, sizeof all, "%s", unknown->all ? unknown->all : "there are none");
-    return bl_report(message, BL_USAGE, "unknown %s '%s%s%s'%s%s %s", unknown->what,
-                     unknown->key ? unknown->key : "", unknown->key ? "=" : "", unknown->word,
-                     unknown->where ? unknown->where : "", meant, all);
+    const char *key = unknown->key ? unknown->key : "";
+    return bl_report(message, BL_USAGE, "unknown %s '%s%s%s'%s%s %s", unknown->what, key,
+                     *key == '-' ? " "
+                     : *key      ? "="
+                                 : "",
+                     unknown->word, unknown->where ? unknown->where : "", meant, all);
 }
 
 bl_status bl_registry_report(const bl_registry *registry, const char *word, const char *where,

@@ -269,7 +269,7 @@ static void test_an_image_wraps_as_bare_samples_do(void **state) {
         bl_signal_free(blocks);
         bl_signal_free(raw);
     }
-    bl_test_refuse_file("tile.exr", ":wrap=around", BL_USAGE, "none periodic mirror");
+    bl_test_refuse_file("tile.exr", ":wrap=around", BL_USAGE, "none, periodic, mirror");
     bl_test_refuse_file("tile.exr", ":interp=quintic", BL_USAGE, "nearest, linear, catmull-rom");
 }
 
@@ -388,7 +388,7 @@ static void test_every_bad_raw_file_is_refused_with_its_reason(void **state) {
     bl_test_refuse_file("mine.c", ":mine", BL_USAGE, "-fPIC -shared");
     bl_test_refuse_file("vol.raw", ":size=5x4x3,spacing=-1", BL_USAGE, "above 0");
     bl_test_refuse_file("vol.raw", ":size=5x4x3,warp=mirror", BL_USAGE, "did you mean 'wrap'");
-    bl_test_refuse_file("vol.raw", ":size=5x4x3,dtype=float16", BL_USAGE, "float32 uint8 uint16");
+    bl_test_refuse_file("vol.raw", ":size=5x4x3,dtype=float16", BL_USAGE, "float32, uint8, uint16");
     bl_test_refuse_file("missing.raw", ":size=3", BL_DEVICE, "No such file");
     mkdir(bl_temporary_path("folder.raw"), 0777);
     mkfifo(bl_temporary_path("pipe.raw"), 0777);
