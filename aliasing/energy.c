@@ -123,7 +123,7 @@ static const double *at(const bl_image_spectrum *spectrum, size_t k, int64_t m) 
     return spectrum->coefficient + (row * (columns / 2 + 1) + k) * 2;
 }
 
-// A frequency across stands for its negative too, but for 0 and the last of an even size.
+// A frequency across stands for its negative too, except for 0 and the last of an even size.
 static double weight_of(const bl_image_spectrum *spectrum, size_t k) {
     size_t columns = spectrum->width * spectrum->oversample;
     return k == 0 || 2 * k == columns ? 1 : 2;

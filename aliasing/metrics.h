@@ -22,8 +22,7 @@ double bl_psnr_db(double mse);
 // The mean structural similarity of a full scale of 1, over all places of a Gaussian window of 11 x
 // 11 pixels with a standard deviation of 1.5, which lies wholly within the image; K1 = 0.01, K2 =
 // 0.03 (Wang, Bovik, Sheikh and Simoncelli 2004). NaN for an image that is smaller than the window.
-// The interval is that of a mean over places, of which those one window apart count as
-// independent.
+// The interval is that of a mean over places; those one window apart count as independent.
 bl_estimate bl_ssim(const double *image, const double *reference, size_t width, size_t height,
                     double level);
 

@@ -12,8 +12,8 @@
 //               alike: any 2^k places from the start have one in each of the 2^k equal boxes of
 //               2^-a x 2^-b (Sobol 1967; Kollig and Keller 2002)
 //
-// Each place is uniform in the square over the keys, but for the regular ones, so that averages are
-// unbiased. All functions are pure.
+// Over the keys each place is uniform in the square, except those of the regular pattern, so that
+// averages are unbiased. All functions are pure.
 #ifndef BL_ALIASING_PATTERNS_H
 #define BL_ALIASING_PATTERNS_H
 
@@ -36,7 +36,7 @@ void bl_pattern_place(bl_pattern pattern, uint32_t n, uint32_t index, uint64_t k
 // A place of Sobol's sequence, its digits flipped as the key says.
 void bl_sobol_place(uint32_t index, uint64_t key, double out[2]);
 
-// The key of what stands at (x, y): independent for every place, whatever is asked before.
+// The key of what stands at (x, y): independent for every place, no matter what came before.
 uint64_t bl_pattern_key(uint64_t seed, double x, double y);
 
 #endif

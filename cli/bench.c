@@ -35,7 +35,7 @@ static int has_floor(const void *row) {
     return !isnan(((const bl_bench_row *)row)->floor);
 }
 
-// A spectrum is measured in transforms, of which fewer are better.
+// A spectrum is told in bare transforms: fewer are better.
 static void find_ratio_text(const bl_table *table, size_t row, bl_cell *cell) {
     const bl_bench_row *is = (const bl_bench_row *)table->rows + row;
     cell->value = is_transform(is) ? is->transforms : is->ratio;

@@ -218,9 +218,10 @@ static bl_verdict find_verdict(const bl_scorecard *cards, size_t count, int stri
     return verdict;
 }
 
-// All are opened before any is measured, so that a mistake in the last one is told at once. Then
-// one signal after another: each spreads its work over the threads, and nothing disturbs the clock
-// of the cost, which is measured last. An error in one is an error of the call: nothing is written.
+// All are opened before any is measured, so that a mistake in the last one is reported at once.
+// Then one signal after another: each spreads its work over the threads, and nothing disturbs the
+// clock of the cost, which is measured last. An error in one is an error of the call: nothing is
+// written.
 static bl_status measure_all(bl_call *call, const bl_words *texts, uint64_t wanted,
                              const bl_score_settings *used, bl_scorecard *cards) {
     bl_status status = BL_OK;

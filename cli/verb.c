@@ -94,8 +94,8 @@ const bl_verb *bl_verb_find(const char *name) {
     return NULL;
 }
 
-// What a word is that is no verb, and its name as it should be written: a user who types the name
-// of a thing wants it shown.
+// Says what a word is that is not a verb, and how its name is written: a user who types the name of
+// a thing wants it shown.
 static const char *kind_of(const char *text, char *name, size_t size) {
     bl_spec spec;
     const char *kind = NULL;

@@ -43,9 +43,10 @@ typedef struct bl_definition {
     bl_signal_functions functions;
 } bl_definition;
 
-// Opens a signal of this definition with the settings of the spec; `text` is the whole text, for
-// messages, and `open` (NULL for a signal that is made of no other) becomes bl_signal.open. The caller frees the signal with bl_signal_free; on failure it is left alone. Errors:
-// BL_USAGE for a key or a value, BL_DEVICE out of memory. Thread-safe.
+// Opens a signal of this definition with the settings of the spec; `text` is the text of the whole
+// signal, for messages, and `open` (NULL for a signal that is made of no other) becomes
+// bl_signal.open. The caller frees the signal with bl_signal_free; on failure it is left alone.
+// Errors: BL_USAGE for a key or a value, BL_DEVICE out of memory. Thread-safe.
 bl_status bl_definition_open(const bl_definition *definition, const bl_spec *spec, const char *text,
                              bl_opener *open, bl_signal **signal, bl_message *message);
 

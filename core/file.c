@@ -47,7 +47,7 @@ static target_kind kind_of(const char *path) {
     return is_standard(&info) ? TARGET_APPENDED : TARGET_REPLACED;
 }
 
-// What a file is known by: what a symbolic link stands for is replaced, not the link.
+// What a file is known by: the file that a symbolic link points to is replaced, not the link.
 static char *resolve(const char *path, target_kind kind) {
     struct stat info;
     if (kind == TARGET_REPLACED && lstat(path, &info) == 0 && S_ISLNK(info.st_mode))

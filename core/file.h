@@ -16,9 +16,9 @@ typedef struct bl_file {
     char *temporary;
 } bl_file;
 
-// Opens a temporary file beside `path`; behind a symbolic link, beside what it stands for. A
-// device, a pipe, and a file that is open as standard output cannot be replaced and are written in
-// place. On success end with exactly one of commit and discard.
+// Opens a temporary file beside `path`; behind a symbolic link, beside the file that it points to.
+// A device, a pipe, and a file that is open as standard output cannot be replaced and are written
+// in place. On success end with exactly one of commit and discard.
 bl_status bl_file_create(const char *path, bl_file *file, bl_message *message);
 // Flushes, checks every earlier write, syncs and renames; on failure the temporary is removed and
 // an earlier file at `path` is untouched.

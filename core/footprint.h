@@ -12,11 +12,11 @@
 // writes it down here, once for all filters.
 //
 // An upright footprint is one told by its widths alone: across lies along x and down along y. Along
-// the other axes a flat sample has no side, but it is as wide as told: a solid texture of width w
+// the other axes a flat sample has no side; its width there is given: a solid texture of width w
 // sees (w, 0, 0) and (0, w, 0), and filters with the width w along every axis.
 //
-// A point is 0 all over. A whole footprint has infinite widths along every axis of the signal, and
-// stands for the mean; one that is infinite along some of them only is an endless strip. NaN says
+// A point is 0 all over. A whole footprint is infinitely wide along every axis of the signal: the
+// sample is the mean; one that is infinite along some of them only is an endless strip. NaN says
 // that a width is not known: what depends on it is NaN.
 #ifndef BL_CORE_FOOTPRINT_H
 #define BL_CORE_FOOTPRINT_H

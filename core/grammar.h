@@ -3,7 +3,7 @@
 // The grammar that names a signal everywhere: `name:key=value,key=value`.
 //
 // The name ends at the first colon; a value may hold further colons (kernel=table:100). A comma
-// begins the next setting, but for a number alone, which goes on with a list (period=4,8,16). A
+// begins the next setting, except before a bare number, which continues a list (period=4,8,16). A
 // signal within a signal has its settings under dotted keys: basis=gnoise,basis.fade=quintic. A
 // parse error names the word, its column (from 1), and the nearest valid word.
 #ifndef BL_CORE_GRAMMAR_H
@@ -64,8 +64,8 @@ typedef struct bl_parameter {
 bl_status bl_parameters_read(const bl_parameter *parameters, const bl_spec *spec, const char *text,
                              void *block, bl_message *message);
 
-// A message about a nested signal, as its opening gave it, in the words of the whole text: the key
-// with what stands before its dot, and the column that it has there. Other messages stay.
+// Turns a message about a nested signal, as its opening gave it, into one about the whole text: the
+// key with what stands before its dot, and the column that it has there. Other messages stay.
 void bl_parameters_place(const bl_parameter *parameters, const bl_spec *spec, const char *text,
                          const void *block, bl_message *message);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Images and texels for the rest of the house: what needs no library of images is done here, the
-// rest by the one that core/image_library.h loads.
+// Images and texels for the rest of the house: what needs no image library is done here, the rest
+// by the library that core/image_library.h loads.
 #include "core/image.h"
 
 #include <limits.h>

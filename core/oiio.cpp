@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The only C++ file, and the only one that knows OpenImageIO: all of bandlimit-images.so, which
-// core/image_library.h describes. Every function that C calls catches what is thrown and turns it
-// into a status, or into NaN where a value is asked for.
+// core/image_library.h describes. Every function that C calls catches exceptions and turns them
+// into a status, or into NaN where it returns a value.
 #include <algorithm>
 #include <cerrno>
 #include <cmath>

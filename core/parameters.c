@@ -202,8 +202,8 @@ static bl_status report_key(const bl_parameter *parameters, const bl_setting *se
     return bl_report_unknown(&unknown, message);
 }
 
-// The setting that the letter at `letter` of a nested signal's text came from, and where in the
-// whole text it stands. *inside says how much of the text stands before it within the setting.
+// For a letter of a nested signal's text: the setting that it came from, and its place in the whole
+// text. *inside says how much of the text stands before it within the setting.
 static const bl_setting *find_origin(const bl_parameter *parameter, const bl_spec *spec,
                                      size_t letter, size_t *inside) {
     size_t stem = strlen(parameter->key), start = strlen(parameter->fallback);

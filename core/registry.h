@@ -57,9 +57,8 @@ const bl_entry *bl_registry_entry(const bl_registry *registry, size_t index);
         return bl_registry_find(&registry, name);                                                  \
     }
 
-// The candidate nearest to a word by edit distance, whatever the case of the letters, or NULL if
-// none is near (more than half of the word's letters would have to change). `candidates` ends with
-// NULL.
+// The candidate nearest to a word by edit distance, ignoring case; NULL if none is near, which is
+// when more than half of the word's letters would have to change. `candidates` ends with NULL.
 const char *bl_nearest(const char *word, const char *const *candidates);
 
 // A word that is not known.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The same signal with another value of one of its keys, whatever the kind of the key.
+// The same signal with another value of one of its keys, of any kind.
 #ifndef BL_CORE_SETTING_H
 #define BL_CORE_SETTING_H
 

@@ -17,8 +17,8 @@
 
 typedef struct bl_signal bl_signal;
 
-// Opens a signal by its text. One that is made of another of its own kind, as a sum of octaves of any
-// noise, is given the way to open that: its file does not know the list that it stands in.
+// Opens a signal by its text. One that is made of another of its own kind, as a sum of octaves of
+// any noise, is given the way to open that: its file does not know the list that it stands in.
 typedef bl_status bl_opener(const char *text, bl_signal **signal, bl_message *message);
 
 // The abilities. A function gets the signal's parameter block; the ones marked optional may be
@@ -32,7 +32,8 @@ typedef struct bl_signal_functions {
     // Fills out[i] with the value at (at[0][i], at[1][i], ...); all BL_AXES arrays are readable.
     void (*points)(const void *parameters, const double *const at[BL_AXES], size_t count,
                    float *out);
-    // The reference: the value at one point, in double throughout. Optional where `values` is there.
+    // The reference: the value at one point, in double throughout. Optional where `values` is
+    // there.
     double (*value)(const void *parameters, const double at[BL_AXES]);
     // Optional: the same at many places, for signals that make something once for all of them; bit
     // for bit what each place gives alone. Fills out[i] with the value at (at[0][i], ...); all
@@ -163,7 +164,7 @@ void bl_values_of_width(void (*filtered)(const void *, const bl_samples *, doubl
                         const void *parameters, double width, const double *const at[BL_AXES],
                         size_t count, double *out);
 
-// The size of coordinates below which a signal of the library has values, by what it states: 2^62
+// How large coordinates may be for a signal of the library to have values, by its facts: 2^62
 // units, or less for one that scales coordinates up, whose finest cell, 2^-52 facts.far to a factor
 // of 2, ends the sooner. Between it and 2^62 such a signal has values or NaN.
 double bl_signal_domain(const bl_signal *signal);

@@ -116,7 +116,7 @@ void bl_table_print(const bl_table *table, FILE *out);
 // out if it is optional.
 void bl_record_print(const bl_table *record, FILE *out);
 
-// One line of headers and a line a row, RFC 4180 but for line feeds alone. Lists are left out.
+// One line of headers and a line a row, RFC 4180 except for line feeds alone. Lists are left out.
 void bl_table_csv(const bl_table *table, FILE *out);
 // Comments: "# key: value".
 void bl_record_csv(const bl_table *record, FILE *out);
@@ -126,7 +126,7 @@ void bl_record_csv(const bl_table *record, FILE *out);
 // The value of a field in a row; a word of it may stand in the cell itself.
 void bl_cell_find(const bl_table *table, const bl_field *field, size_t row, bl_cell *cell);
 int bl_cell_is_missing(const bl_cell *cell);
-// Whether the field is told in this form: some row has it, if it is one that may be left out.
+// Whether the field is told in this form: some row has it, for a column that may be left out.
 int bl_field_is_told(const bl_table *table, const bl_field *field, int form);
 // The key of a limit, "lower" or "upper".
 typedef struct bl_limit_key {

@@ -123,10 +123,10 @@ static double part(const sum *s, size_t piece, double from, double to) {
     return total;
 }
 
-// Panels whose lengths fall fourfold towards both ends of a piece, until what is left weighs less
-// than 2^-56 of a width. On [h/4, h] a power of the distance is analytic with its singularity one
-// third of a panel away: the rule leaves 3^-32. A power that is steep at 1, e^(-E) on a panel, is
-// negligible before the rule fails.
+// Panels get four times shorter towards both ends of a piece, until the rest weighs less than 2^-56
+// of a width. On [h/4, h] a power of the distance is analytic with its singularity one third of a
+// panel away: the rule leaves 3^-32. A power that is steep at 1, e^(-E) on a panel, is negligible
+// before the rule fails.
 static double graded_piece(const sum *s, size_t piece, double from, double to) {
     double middle = from + 0.5 * (to - from), ratio = 0.25, total = 0;
     double least = 0x1p-56 * fmin(to - from, s->width);

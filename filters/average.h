@@ -16,8 +16,8 @@
 #include "core/status.h"
 #include "filters/filter.h"
 
-// The distance in widths beyond which the filter's step is 0 or 1 within 2^-56; INFINITY for the
-// slowly ringing ones, of which the ideal filter is one.
+// The distance in widths beyond which the filter's step is 0 or 1 within 2^-56; INFINITY for those
+// that ring slowly, as the ideal filter does.
 double bl_filter_reach(const bl_filter *filter);
 
 // Whether the kernel is nowhere negative, so that averages stay within the bounds of the function.

@@ -6,8 +6,8 @@
 //   step(t) = clamp(t + 1/2, 0, 1); the filtered step that the text calls boxstep
 //   response(f) = sin(pi f) / (pi f), with zeros at all whole frequencies
 //
-// Exact but for the rounding of each operation. An anchor of x .. x + w, as the text has it, is the
-// same filter half a width further on.
+// Exact except for the rounding of each operation. An anchor of x .. x + w, as the text has it, is
+// the same filter half a width further on.
 //
 // Source: peachey2003, p. 64.
 #include "filters/filter.h"

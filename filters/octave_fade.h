@@ -8,7 +8,7 @@
 //   hard   1 if t < 1/(2 width), else 0
 //   fade   2 - 4 t width, clamped to [0, 1]: 1 below half the Nyquist limit, 0 from the limit on
 //
-// The fade is that of peachey2003, section Clamping, but for one thing: the text's cutoff is the
+// The fade is that of peachey2003, section Clamping, except for one thing: the text's cutoff is the
 // smaller of the Nyquist limit and MAXFREQ, which may fade the last octave at any width.
 #ifndef BL_FILTERS_OCTAVE_FADE_H
 #define BL_FILTERS_OCTAVE_FADE_H

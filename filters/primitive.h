@@ -60,7 +60,7 @@ extern const char *const bl_anchor_words[];
         .maximum = 1e300, .fallback = usual, .unit = "units", .help = what                         \
     }
 
-// Where the middle of the width stands for a sample at x.
+// Where the middle of the width lies, for a sample at x.
 static inline double bl_averaging_centre(const bl_averaging *averaging, double x, double width) {
     return averaging->anchor ? x + 0.5 * width : x;
 }
@@ -76,12 +76,12 @@ void bl_primitive_period(bl_facts *facts, double period);
 // States the facts of a continuous monotone curve that is 0 up to 0 and 1 from 1 on.
 void bl_primitive_unit_facts(const bl_averaging *averaging, bl_facts *facts);
 
-// x modulo a period other than 0, exact but for one rounding: in [0, period), or in (period, 0] for
-// a negative one, so that modulo(-x, -period) is -modulo(x, period). NaN for infinite x.
+// x modulo a period other than 0, exact except for one rounding: in [0, period), or in (period, 0]
+// for a negative one, so that modulo(-x, -period) is -modulo(x, period). NaN for infinite x.
 double bl_modulo(double x, double period);
 
-// x in periods, less all whole ones: exact but for one rounding, in (-1, 1), with the sign of x /
-// period, so that places just below 0 keep their digits. NaN for infinite x.
+// x in periods, less all whole ones: exact except for one rounding, in (-1, 1), with the sign of x
+// / period, so that places just below 0 keep their digits. NaN for infinite x.
 double bl_periods(double x, double period);
 
 // In a primitive's file, after `static double average(const block *, const bl_filter *filter,

@@ -26,8 +26,8 @@ double bl_pulse_train_average(const bl_filter *filter, double low, double high, 
 // the average keeps: its error is up to 2^-53 (2 |x| + |x + width|) / width + 2^-52.
 double bl_pulse_train_difference(double low, double high, double x, double width);
 
-// The text's own macro for the pulse from `edge` to 1 - edge, as it is printed: its integral goes
-// on rising over the gap that ends each period and falls back by `edge` at the whole numbers. The
+// The text's own macro for the pulse from `edge` to 1 - edge, as printed: its integral goes on
+// rising over the gap that ends each period and falls back by `edge` at the whole numbers. The
 // average is therefore off by up to edge / width, unless both ends lie in the same part of a
 // period.
 double bl_pulse_train_printed(double edge, double x, double width);

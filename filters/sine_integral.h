@@ -14,7 +14,7 @@ double bl_sine_integral(double x);
 // Within 1e-15, relative from 4 on.
 double bl_entire_cosine_integral(double x);
 
-// The auxiliary functions, for x > 0: what is left of Si when its waves are taken off,
+// The auxiliary functions, for x > 0: the part of Si that remains without its waves,
 //   Si(x) = pi/2 - f cos(x) - g sin(x),  f = int_0^oo e^(-x t) / (1 + t^2) dt,
 //   Ci(x) = f sin(x) - g cos(x),         g = int_0^oo t e^(-x t) / (1 + t^2) dt.
 // They fall as 1/x and 1/x^2. Who knows the phase of x better than x does can so use it. Within

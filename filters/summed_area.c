@@ -187,8 +187,8 @@ static int clamped_spans(double middle, double size, double length, span out[SPA
 
 static int wrapped_spans(double middle, double size, double length, span out[SPANS]) {
     double rest = fmod(size, length), whole = nearbyint((size - rest) / length);
-    // What is left over stands where the box ends that has this middle and the size `rest`, or half
-    // an image further for an odd number of wholes.
+    // The remainder is a box of the size `rest` around the same middle, or half an image further if
+    // the number of whole images is odd.
     middle = remainder(middle, length) + (fmod(whole, 2) == 0 ? 0 : 0.5 * length);
     double left = fmod(middle - 0.5 * rest + 2 * length, length), right = left + rest;
     int count = 0;

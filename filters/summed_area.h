@@ -10,7 +10,7 @@
 //
 // What a table costs in digits: its entries grow with the area to the lower right corner, and a box
 // is the difference of four of them. With the machine epsilon e of its numbers and a mean m of the
-// image, the error of the mean over a box of area a is of the size e m W H / a, whatever the box
+// image, the error of the mean over a box of area a is about e m W H / a for every box
 // (reports/figures/summed_area_error.c measures it).
 //
 // Source: crow1984; peachey2003, p. 66.

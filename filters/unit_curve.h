@@ -28,8 +28,8 @@ double bl_unit_curve_value(const bl_unit_curve *curve, double x);
 // digits at any length; the value for length 0. Pure.
 double bl_unit_curve_mean(const bl_unit_curve *curve, double from, double length);
 
-// The curve averaged about x over samples of this width; 1/2 for an infinite one, as it is 0 on one
-// side and 1 on the other. NaN for NaN, and as bl_average_spans says. Pure.
+// The curve averaged about x over samples of this width; 1/2 for an infinite one, because it is 0
+// on one side and 1 on the other. NaN for NaN, and as bl_average_spans says. Pure.
 double bl_unit_curve_average(const bl_unit_curve *curve, const bl_filter *filter, double x,
                              double width);
 

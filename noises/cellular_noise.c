@@ -41,10 +41,10 @@
 // far from it). The reference knows nothing of it: it goes on, ring by ring, until a ring is
 // farther away than the second point that it found.
 //
-// C0: a crease where two points are equally near, and a kink at a feature point; where the gradient
-// does not exist, one of those beside it stands for it, or 0 at a feature point. No band is
-// stated: creases decay slowly. Mean and variance are not stated, and depend on the place in the
-// cell: the lattice shows.
+// C0: a crease where two points are equally near, and a kink at a feature point; where there is no
+// gradient, it is one of those beside the place, and at a feature point 0. No band is stated:
+// creases decay slowly. Mean and variance are not stated, and depend on the place in the cell: the
+// lattice shows.
 //
 // Source: worley1996, which was not at hand; this is the method as the field describes it.
 // Deviations: there the number of points of a cell is drawn from a Poisson distribution, which

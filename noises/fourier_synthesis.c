@@ -7,7 +7,7 @@
 //   f_k = (k_x / L_x, k_y / L_y, k_z / L_z), L the sides of the tile, k whole and not 0
 //
 // Phases are uniform and independent. The cosines are divided by the transform of the kernel that
-// reads the tile, so that the powers p_k of the noise as it is read are exactly the target's; the
+// reads the tile, so that the noise that is read has exactly the powers p_k of the target; the
 // images that any kernel leaves around multiples of `samples` cycles a unit come on top of it and
 // are what the stated variance and leak count besides (noises/tiles/tile.h,
 // noises/tiles/synthesis.h).
@@ -34,7 +34,7 @@
 // Bound: the sum of the amplitudes times the largest sum of the kernel's weights. Period: the tile.
 // Band: 0 to the highest harmonic, along an axis; the leak is the exact share of the images, -51 dB
 // with the default settings, -79 dB with samples=8. Class: C2, C1, C0 or discontinuous, that of the
-// kernel. In two and three dimensions the spectrum is isotropic but for the square grid of its
+// kernel. In two and three dimensions the spectrum is isotropic except for the square grid of its
 // harmonics and the images, which are not. The covariance over places and seeds is exact
 // (noises/tiles/tile_covariance.h); it repeats with the tile, so that the spectrum is one of lines.
 // Known defects: it repeats, and all of it must be made before one value is known.

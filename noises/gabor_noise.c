@@ -29,10 +29,10 @@
 // Bound: each of the 9 cells in reach has at most M impulses, the largest count that occurs, of
 // size at most 1: 9 M / sqrt N.
 // Spectrum: E[w^2] |K^(f)|^2, E[w^2] = 1 or (1 - 2^-40)/3, exactly, truncation included
-// (gabor_forms.h): but for it, two Gaussians at +-F u, or their mean over the circle, a ring, in
-// closed form with I0. Variance A/2 = (1 - e^(-2 pi a^2)) / (4 a^2) for random phase.
-// DC: the Gaussians reach f = 0, where the density is e^(-2 pi F^2/a^2) of what one Gaussian has at
-// its middle, twice (random phase) or four times (zero phase): for F = 0.6, a = 1 and
+// (gabor_forms.h): without the cut it is two Gaussians at +-F u, or their mean over the circle: a
+// ring, in closed form with I0. Variance A/2 = (1 - e^(-2 pi a^2)) / (4 a^2) for random phase. DC:
+// the Gaussians reach f = 0, where the density is e^(-2 pi F^2/a^2) of what one Gaussian has at its
+// middle, twice (random phase) or four times (zero phase): for F = 0.6, a = 1 and
 // random phase the density at 0 is 0.21 of the peak, for F = 2 2.4e-11. The integral of a zero
 // phase kernel is G(F), tiny, not 0. Stationary in every respect (but for the 2^-32 of impulses.h);
 // kind=isotropic is isotropic. Band: stated is the exact leak beyond F + a. Class: discontinuous,

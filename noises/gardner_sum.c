@@ -39,7 +39,7 @@
 // Known defects: regular waves shine through (the text's own complaint), the two directions of the
 // axes are preferred, and there is no seed but the place.
 // Source: peachey2003, pp. 51-52 (cloudplane), after Gardner (1984, 1985). Deviations: the text
-// then clamps to [0, 1] before it mixes colours, of which only the 0 is ever reached; that is left
+// then clamps to [0, 1] before it mixes colours; only the limit at 0 is ever reached; that is left
 // to the texture. Its frequencies are radians; here the same numbers as cycles.
 #include <math.h>
 #include <stddef.h>

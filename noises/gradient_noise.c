@@ -21,7 +21,7 @@
 //   component, period   noises/common_parameters.h; with a period no closed form
 //
 // Units: coordinates in cells. The noise is 0 at the lattice points; its gradient there is g_c,
-// but for fade=linear, which has a kink there.
+// except for fade=linear, which has a kink there.
 // Bound: noises/lattice/bounds.c. Mean 0, variance 0.0332853903 with the default settings; these
 // and the band are exact, noises/closed_forms.h.
 // NaN, infinity and coordinates beyond 2^62 give NaN; the fraction is lost from 2^52 on.

@@ -26,7 +26,7 @@
 // as f^-3/2 (ball f^-2), of the square as sinc, of the others as that of a C1 radial kernel. Not
 // band limited; stated is the exact leak beyond 1/radius (times the stretch).
 // Stationary exactly to second order; with count=poisson, in every respect (but for the 2^-32 of
-// impulses.h). Isotropic but for the square and for stretch > 1.
+// impulses.h). Isotropic except for the square and for stretch > 1.
 // Class: C1; disc and square are discontinuous.
 // Period: that of the lattice. NaN, infinity and coordinates beyond 2^62 give NaN; from 2^52 on
 // the fraction is lost.

@@ -58,7 +58,7 @@ extern bl_textbook bl_textbook_data; // filled by bl_textbook_tables
 
 const bl_textbook *bl_textbook_tables(bl_opener *open);
 
-// Draws the random numbers of a set of tables, but for the tiles, which stay, from another seed.
+// Draws the random numbers of a set of tables from another seed; the tiles stay.
 void bl_textbook_draw(bl_textbook *tables, uint64_t seed);
 
 // The permutation as printed; data of the text.

@@ -11,7 +11,7 @@
 //           darker with distance
 //
 // Units and domain are those of fractalsum. Bound: between 0 and the sum of 1/f times the bound of
-// the basis. Mean: the sum of E|basis|/f, of which no closed form is known, so it is not stated;
+// the basis. Mean: the sum of E|basis|/f, which has no known closed form and so is not stated;
 // lost=mean measures E|basis| on opening (noises/octaves/octaves.h). Variance, band: not stated;
 // the folds have a spectrum of their own, which falls as f^-4 at a random crossing of 0 and is not
 // bounded by the octave's.

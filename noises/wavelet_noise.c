@@ -29,11 +29,11 @@
 // row of P, and the kernel's weights sum to 1 an axis (2 if wide). Period: the tile. Class: C1,
 // with knots a quarter of a unit from the multiples of 1/2.
 // Band: the coarse splines take all power at 0 and half of it at 1/2; the kernel, sinc^3, leaves
-// images beyond 1. Along an axis, 0 to 1 with the stated leak, exact, -16.5 dB by default. In the
-// space of frequencies what is left is a cube without its inner cube, not a shell.
-// Known defects: not isotropic; cyclostationary, with the coarse lattice, one unit, as its cell.
-// The covariance over places and seeds is exact and repeats with the tile
-// (noises/tiles/tile_covariance.h): the spectrum is one of lines. Tests hold the power of
+// images beyond 1. Along an axis, 0 to 1 with the stated leak, exact, -16.5 dB by default. In
+// frequency space the noise fills a cube without its inner cube, not a shell. Known defects: not
+// isotropic; cyclostationary, with the coarse lattice, one unit, as its cell. The covariance over
+// places and seeds is exact and repeats with the tile (noises/tiles/tile_covariance.h): the
+// spectrum is one of lines. Tests hold the power of
 // each harmonic to the formula of noises/tiles/wavelet_tile.h.
 // NaN, infinity, and coordinates beyond 2^62 give NaN; 2^52 is where doubles lose the fraction.
 //

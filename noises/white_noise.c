@@ -23,10 +23,9 @@
 //
 // Spectrum. cell=0: the covariance is 0 at every lag but 0, where it is the variance. As a function
 // of a continuous place this has no density: its integral would have to be the variance while every
-// part of it is 0. What is true is a statement on samples: taken at distinct places, in whatever
-// pattern, they are uncorrelated, and a grid of spacing s in D dimensions has the flat density
-// variance * s^D up to its Nyquist frequency, all of it alias. There is no closed form here, no
-// band, and no leak.
+// part of it is 0. What is true is a statement on samples: at distinct places, in any pattern, they
+// are uncorrelated, and a grid of spacing s in D dimensions has the flat density variance * s^D up
+// to its Nyquist frequency, all of it alias. There is no closed form here, no band, and no leak.
 // cell=h: with a random place in the cell the covariance is variance * prod max(0, 1 - |lag_a|/h)
 // and the density variance * prod h sinc^2(h f_a), sinc(t) = sin(pi t)/(pi t).
 // Along an axis the share 1 - 2 Si(2 pi)/pi = 0.0971767 of the variance lies above 1/h: -10.12 dB.

@@ -20,8 +20,8 @@
 //   width       1/2 to 2 cells, default 1
 //
 // Units: coordinates in cells. Values v_c are uniform in (-1, 1); the noise is v_c at the lattice
-// points. As they are independent, the covariance of the noise is not rho: rho says how smooth the
-// field between them is taken to be. Small widths fall to the mean, 0, between the points; wide
+// points. Because they are independent, the covariance of the noise is not rho: rho says how smooth
+// the field between them is taken to be. Small widths fall to the mean, 0, between the points; wide
 // gaussians come near to the cubic polynomial through four points.
 //
 // Bound: values below 1; (max_t sum_i |k(t - i)|)^3, by a grid and a bound of the slope, when the
@@ -239,7 +239,7 @@ static int has_closed_form(const void *block) {
     return bl_lattice_is_hash(&p->lattice);
 }
 
-// The covariance along x but for a factor.
+// The covariance along x except for a factor.
 static double along_x(const void *block, const double lag[BL_AXES]) {
     const wiener_parameters *p = block;
     return bl_wiener_correlation(&p->kernel, lag[0]);

@@ -12,7 +12,7 @@ extern const char *const bl_page_style; // the style sheet
 
 // Text for an element or for an attribute in double quotes.
 void bl_html_text(FILE *out, const char *text);
-// `open` and `close` as they are, the text between them made safe.
+// `open` and `close` unchanged, the text between them made safe.
 void bl_html_tagged(FILE *out, const char *open, const char *text, const char *close);
 
 // A table with the words that a terminal shows; `class` names its style.

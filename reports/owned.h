@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A list of things that are released together, whatever each of them is.
+// A list of things of any kind that are released together.
 #ifndef BL_REPORTS_OWNED_H
 #define BL_REPORTS_OWNED_H
 

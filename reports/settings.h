@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a run of figures is told, and what becomes of each.
+// The settings of a run of figures, and the result of each figure.
 #ifndef BL_REPORTS_SETTINGS_H
 #define BL_REPORTS_SETTINGS_H
 

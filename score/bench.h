@@ -45,7 +45,8 @@ typedef struct bl_bench {
 // up its floor. False if out of memory.
 int bl_bench_add(bl_bench *bench, const bl_bench_row *row);
 
-// Whether the row is measured in transforms, of which fewer is better, and not in textbook loops.
+// Whether the row is compared with bare transforms, where a smaller ratio is better, and not with
+// textbook loops.
 int bl_bench_is_transform(const bl_bench_row *row);
 // The rows that have a floor and miss it.
 size_t bl_bench_missed(const bl_bench *bench);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Other libraries in the same run. libnoise is C++; its functions take plain numbers, so they are
-// looked up under their mangled names when the program runs, and nothing is asked of the build.
+// Other libraries in the same run. libnoise is C++; its functions take plain numbers, so the
+// running program looks them up under their mangled names, and the build needs nothing of them.
 #include <dlfcn.h>
 #include <math.h>
 #include <stdio.h>

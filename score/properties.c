@@ -22,7 +22,7 @@ _Static_assert(sizeof list / sizeof *list <= (size_t)BL_SCORE_PROPERTIES,
 bl_status bl_score_measure(const bl_score_subject *subject, const bl_score_settings *settings,
                            uint64_t wanted, bl_score *score, bl_message *message) {
     bl_score_settings share = *settings;
-    // Boole's inequality: the parts add up to alpha at most, whatever depends on what.
+    // Boole's inequality: the parts add up to alpha at most, even if they depend on each other.
     share.alpha /= (double)(settings->table ? settings->table : 1) *
                    (double)(bl_property_count() ? bl_property_count() : 1);
     memset(score, 0, sizeof *score);

@@ -112,8 +112,8 @@ bl_score_settings bl_score_default_settings(void);
 #define BL_SCORE_NOT_ASKED "not asked for"
 
 // Measures the properties whose index is set in `wanted` (bit i: property i); the others are "not
-// run". Deterministic for given settings whatever the threads, but for the property `cost`.
-// Thread-safe, but for `cost`, whose times disturb each other. Errors: those of the properties.
+// run". Deterministic for given settings whatever the threads, except for the property `cost`.
+// Thread-safe, except for `cost`, whose times disturb each other. Errors: those of the properties.
 bl_status bl_score_measure(const bl_score_subject *subject, const bl_score_settings *settings,
                            uint64_t wanted, bl_score *score, bl_message *message);
 

@@ -8,10 +8,10 @@
 // error against the best that can be had, and a function that the harness times: all alternatives
 // interleaved, repeated until the spread is known (core/clock.h).
 //
-// Times are in nanoseconds a sample, of which each trade says what it is. 15 turns or more are
-// taken, until half of them lie within a tenth of the median: the quarters between which they lie
-// are then an interval of the median at 96 % or more, whatever the distribution (15 turns: 1 - 2
-// P(B(15, 1/2) <= 3)). A load that comes and goes widens it and leaves the order alone.
+// Times are in nanoseconds a sample; each trade says what a sample is. 15 turns or more are taken,
+// until half of them lie within a tenth of the median: the quarters between which they lie are then
+// an interval of the median at 96 % or more, whatever the distribution (15 turns: 1 - 2 P(B(15,
+// 1/2) <= 3)). A load that comes and goes widens it and leaves the order alone.
 #ifndef BL_SCORE_TRADE_H
 #define BL_SCORE_TRADE_H
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A child process that is asked through its standard input and answers on its standard output.
+// A child process that reads questions from its standard input and answers on its standard output.
 #ifndef BL_SOURCES_CHILD_H
 #define BL_SOURCES_CHILD_H
 

@@ -56,8 +56,8 @@ void bl_crash_watch(void) {
     pthread_once(&once, install);
 }
 
-// A thread that has a stack for signals keeps it. Without one the handler still serves, but for a
-// stack that is full.
+// A thread that has a stack for signals keeps it. Without one the handler still serves, except for
+// a stack that is full.
 static void prepare_thread(void) {
     stack_t stack = {0};
     prepared = 1;

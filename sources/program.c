@@ -9,7 +9,7 @@
 // At the end of its input the program ends.
 //
 // Threads take children from a pool, which grows to the number of processors; each answers one
-// question at a time. The same point must have the same value whatever was asked before, and then
+// question at a time. A point must have the same value no matter which points came before it; then
 // nothing depends on the threads. Where {seed} stands in the words, the seed is put, and the signal
 // can be reseeded: with children of its own.
 //

@@ -69,7 +69,7 @@ static void raw_span(const void *source, const size_t index[BL_AXES], size_t cou
     memcpy(out, block->values + line * size[0] + index[0], count * sizeof *out);
 }
 
-// The signal keeps a copy of the block, so the grid is told where that is at each use.
+// The signal keeps a copy of the block, so each use tells the grid where that copy is.
 static bl_sampled_grid own_grid(const void *parameters) {
     bl_sampled_grid grid = ((const raw_block *)parameters)->grid;
     grid.source = parameters;

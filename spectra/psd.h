@@ -10,7 +10,7 @@
 //
 // A signal with a grid (an image) is measured on its own samples: averages are segments (lines) or
 // patches (slices) that overlap by at most half and span the whole grid; there are as many as fit,
-// and at most as many as asked for.
+// up to the number asked for.
 //
 // Lines are transformed in double, slices and volumes in float. The same settings give the same
 // bits for any number of threads.
@@ -137,8 +137,8 @@ typedef struct bl_band_limit {
 // No leak at all is -INFINITY dB.
 void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit);
 
-// Whether anything is left to judge outside of the band: a bin other than that of frequency 0,
-// which holds only what is left of the mean, that lies wholly outside of the band and its guard.
+// Whether anything is left to judge outside of the band: a bin that lies wholly outside of the band
+// and its guard. That of frequency 0 does not count: it holds only what remains of the mean.
 int bl_psd_has_outside(const bl_psd *psd, const bl_band_limit *limit);
 
 // Whether a verdict on this limit makes sense. Errors: BL_MISMATCH for a constant signal, and where

@@ -63,7 +63,7 @@ bl_status bl_psd_check_parseval(const bl_psd *psd, bl_message *message) {
 // Ulichney 1987: the variance of the ring's cells, pairs once, over the square of their mean.
 void bl_psd_fill_anisotropy(bl_psd *psd, const bl_bins *bins, const bl_bin_sum *sums) {
     for (size_t bin = 0; bin < bins->count; bin++) {
-        // A ring of n cells has n/2 independent ones, but for the few that are their own pairs.
+        // A ring of n cells has n/2 independent ones, except for the few that are their own pairs.
         double cells = bins->cells[bin], independent = ceil(cells / 2);
         double mean = sums[bin].sum / cells, square = sums[bin].square / cells;
         double spread = (square - mean * mean) * independent / (independent - 1);

@@ -10,8 +10,8 @@
 //
 // For K values of a gamma law of relative variance v, mean m and sample variance V,
 // E[V/m^2] = v / (1 + v/K)  exactly. R, the sum of V/m^2 over the neighbours times the bin's share
-// in what it would be for a Gaussian signal, gives v. As many neighbours are asked as make 96
-// values on each side, but no more than a quarter of the bin's number, because the lowest rings
+// in what it would be for a Gaussian signal, gives v. Neighbours are taken until there are 96
+// values on each side, but no further than a quarter of the bin's number, because the lowest rings
 // change fastest. A bin that stands out (V/m^2 has a relative variance of 2 (1 + v)/K) has no less
 // than its own V/m^2 one and a half standard deviations down. No bin has less than a Gaussian
 // signal's 2/nu.

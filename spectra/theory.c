@@ -107,7 +107,7 @@ double bl_theory_line(const bl_signal *signal, const double direction[BL_AXES], 
     double from, to, reach = signal->facts.covariance_reach;
     clip(origin, direction, reach, &from, &to);
     add_crossings(&breaks, origin, direction, reach);
-    // Even in t. Never negative but for rounding.
+    // Even in t. Never negative except for rounding.
     double half = bl_integrate(line_integrand, &line, 0, to, &breaks, longest_panel(f),
                                1e-15 * variance_of(signal));
     return fmax(0, 2 * half);

@@ -157,8 +157,8 @@ static void transform_axis(const periodogram *p, unsigned axis, size_t outer, si
         }
 }
 
-// The last axis, of which only the real part is wanted: R(-lag) = R(lag) makes the whole real. The
-// rows of cosines are made once a lag and used for every block.
+// The last axis; only the real part is needed: R(-lag) = R(lag) makes the whole real. The rows of
+// cosines are made once a lag and used for every block.
 static void transform_last(periodogram *p, size_t outer, double *out) {
     unsigned axis = p->dims - 1;
     size_t lags = p->lags[axis], bins = p->bins[axis];

@@ -23,7 +23,7 @@ bl_status bl_window_read(const char *word, bl_window *window, bl_message *messag
 // Fills out[0..size-1]; size 1 gives 1. Pure, so thread-safe.
 void bl_window_fill(bl_window window, size_t size, double *out);
 
-// Half the width of the main lobe, in bins: power at one frequency reaches no farther, but for the
+// Half the width of the main lobe, in bins: power at one frequency spreads no farther, except in
 // side lobes.
 double bl_window_half_lobe(bl_window window);
 

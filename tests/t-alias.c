@@ -96,7 +96,7 @@ static void test_alias_and_blur_sum_to_the_squared_error(void **state) {
                                             shift, 0, 2, &sampled, &message),
                      BL_OK);
     bl_energies energies = bl_image_energies(&sampled, &truth);
-    // Parseval: the same sum, but for rounding.
+    // Parseval: the same sum, except for rounding.
     double total = weighted_square(NULL, sharpened, 4, shift);
     assert_near(energies.total, total, 1e-12 * total);
     assert_near(energies.within, weighted_square(NULL, below, 8, shift), 1e-7);
@@ -239,8 +239,8 @@ static void test_only_what_errs_flickers(void **state) {
     settings.frames = 4;
     bl_alias_result result =
         measure(bl_test_ripple(0.5, 1, 1.7, 1.4), "flat:scale=64", methods, 3, &settings);
-    // The wave is gone from a pixel but for sinc(1.7) sinc(1.4) = 0.03; a point has all of it, of
-    // variance 1/2, whose phase turns 2.4 times while it pans.
+    // The wave is gone from a pixel except for sinc(1.7) sinc(1.4) = 0.03; a point has all of it,
+    // of variance 1/2, whose phase turns 2.4 times while it pans.
     assert_near(result.rows[0].flicker.value, 0, 0.002);
     assert_near(result.rows[1].flicker.value, 0.5, 0.2);
     assert_near(result.rows[2].flicker.value, 0, 0.002);

@@ -7,8 +7,8 @@
 // Branch and bound: on a box the sum is at most the sum of the terms' own largest values there, and
 // at least its value at the centre. Boxes whose upper value is below the constant are done; the
 // others are halved along their longest side. All terms are bounded by monotone pieces, so the
-// upper values hold but for rounding, below 1e-13. The sums are symmetric in the axes and about the
-// middle of the cell, so x <= y <= z <= 1/2 does.
+// upper values hold except for rounding, below 1e-13. The sums are symmetric in the axes and about
+// the middle of the cell, so x <= y <= z <= 1/2 does.
 #include "tests/test.h"
 
 #include <gsl/gsl_cdf.h>

@@ -198,7 +198,7 @@ static void check_facts(const char *text, const bl_signal *signal, const bl_filt
     if (least < facts->lower || most > facts->upper)
         fail_msg("%s has values %.17g to %.17g, but states %.17g to %.17g", text, least, most,
                  facts->lower, facts->upper);
-    // Bounds are reached, but for the hull of a spline, which is at most a sixth of a step too
+    // Bounds are reached, except for the hull of a spline, which is at most a sixth of a step too
     // wide.
     if (isfinite(facts->lower) && strncmp(text, "spline", 6) != 0 &&
         strncmp(text, "sineturbulence", 14) != 0 &&

@@ -699,7 +699,7 @@ static void test_mean_and_variance_fail_as_often_as_alpha_says(void **state) {
         failed += result.verdict == BL_VERDICT_FAIL;
     }
     assert_less((double)failed, most_failures(runs, 0.1));
-    // Nor more seldom: with 1/2 shared by the two, at least a quarter of 60 runs fails but for a
+    // Nor more seldom: with 1/2 shared by the two, at least a quarter of 60 runs fails except for a
     // probability of (3/4)^60 (1 + 20) = 7e-7 of one or none.
     settings = quick(0.5);
     failed = 0;

@@ -171,8 +171,8 @@ static void test_lattices_and_periods_are_those_of_the_points(void **state) {
     }
 }
 
-// After the period it is the same but for the rounding of the place (2^-52 of a cell, slopes below
-// 10), after every smaller multiple of 3 it is not, and within it is the noise without one.
+// After the period it is the same except for the rounding of the place (2^-52 of a cell, slopes
+// below 10), after every smaller multiple of 3 it is not, and within it is the noise without one.
 static void test_it_repeats_after_multiples_of_3(void **state) {
     (void)state;
     static const struct {

@@ -195,7 +195,7 @@ static void test_a_record_is_told_a_value_a_line(void **state) {
 
 enum { FIELDS = 32, FIELD_SIZE = 256 };
 
-// Reads one record, strictly as RFC 4180 has it but for the line feed; NULL at the end.
+// Reads one record, strictly as RFC 4180 has it except for the line feed; NULL at the end.
 static const char *read_record(const char *at, char found[FIELDS][FIELD_SIZE], size_t *count) {
     *count = 0;
     if (!*at)

@@ -704,7 +704,7 @@ static void test_clouds_fade_as_their_noise_does(void **state) {
         }
 }
 
-// With slopes of 0.003 at most, light is linear in them but for the square of that; brick and
+// With slopes of 0.003 at most, light is linear in them except for the square of that; brick and
 // mortar have the same red.
 static void test_averaged_slopes_are_the_average_of_faint_bumps(void **state) {
     (void)state;

@@ -87,7 +87,7 @@ static void test_axis_lines_and_slices_are_products(void **state) {
 
 // The integral of the density over the plane or line of frequencies left out. P3 is the transform
 // of a function that vanishes beyond `far`, so the sum over a grid of spacing below 1/far repeats R
-// without overlap and is exact but for the frequencies cut off at `limit`.
+// without overlap and is exact except for the frequencies cut off at `limit`.
 static double integral_of_density(const bl_signal *signal, const double base[BL_AXES],
                                   const double *u, const double *v, double limit) {
     double step = 1.0 / 7.5, sum = 0;

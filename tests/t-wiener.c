@@ -161,7 +161,7 @@ static void test_the_closed_forms_agree(void **state) {
         for (int n = 0; n < WIDTHS; n++) {
             bl_wiener_kernel kernel =
                 bl_wiener_kernel_of((bl_wiener_covariance)covariance, widths[n]);
-            // Poisson's sum: correlations at the multiples of 8 are 0, but for that at 0.
+            // Poisson's sum: correlations at the multiples of 8 are 0, except for that at 0.
             for (double shift = 0; shift < 0.125; shift += 0.04) {
                 double sum = 0, expected = bl_wiener_correlation(&kernel, 0);
                 for (int k = -160; k < 160; k++)

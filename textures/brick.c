@@ -23,7 +23,7 @@
 //
 // Bound: between the two colours, since all weights lie in [0, 1]. Mean: that of the shares of
 // brick and mortar. Period: one brick across, two rows up. Class: jumps; C0 if filtered at a width
-// above 0, but for the forms that depend on the centre's brick and row, which jump where it
+// above 0, except for the forms that depend on the centre's brick and row, which jump where it
 // changes. NaN and infinite places give NaN; beyond 2^52 bricks nothing is left of the fraction.
 //
 // Source: peachey2003, pp. 39-42 and 64-69. Deviations: the text's filters reach from x to x + w,

@@ -18,11 +18,11 @@
 //            mean    the mean of the picture for every width above 0
 //   width, component   see textures/texture.h
 //
-// The picture spans the unit square, t upwards, and repeats. What a sample of the picture is as
-// wide as follows from the derivatives of (s', t'), if the noise has a gradient; else from the
-// width as if nothing was moved. Lookups but those in tables are OpenImageIO's, in float; its
-// pyramid is wide for its width, so that it blurs rather than aliases. Without any width sat looks
-// between four texels as none does; with one it is the texel itself along an axis without.
+// The picture spans the unit square, t upwards, and repeats. How wide a sample is in the picture
+// follows from the derivatives of (s', t'), if the noise has a gradient; else from the width as if
+// nothing was moved. Lookups but those in tables are OpenImageIO's, in float; its pyramid is wide
+// for its width, so that it blurs rather than aliases. Without any width sat looks between four
+// texels as none does; with one it is the texel itself along an axis without.
 //
 // Bound: the least and the largest texel, give or take float rounding. Mean: of the texels, for
 // amount 0. Period: 1 for amount 0. NaN and infinite places give NaN; beyond 2^23 units nothing is

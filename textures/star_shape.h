@@ -28,8 +28,8 @@ double bl_star_distance(const bl_star *star, double s, double t, double outwards
 double bl_star_step(const bl_star *star, bl_edge edge, double s, double t,
                     const double width[BL_AXES]);
 
-// The share of the box centred at (s, t) that the star covers, exact but for rounding: the area of
-// the polygon clipped to the box. Of the right star only, and for finite widths above 0.
+// The share of the box centred at (s, t) that the star covers, exact except for rounding: the area
+// of the polygon clipped to the box. Of the right star only, and for finite widths above 0.
 double bl_star_coverage(const bl_star *star, double s, double t, const double width[BL_AXES]);
 
 double bl_star_area(const bl_star *star);

@@ -4,8 +4,8 @@
 //
 // A texture is a signal with a colour: one file, which ends with one definition
 // (core/definition.h), and one line in textures.def. Its raw form and every way that it can filter
-// itself stand side by side in the file, as the words of its key `filter`, of which `none` is the
-// first. Colours are linear, with the primaries of sRGB; the value is their luminance, or one of
+// itself stand side by side in the file. They are the words of its key `filter`; the first is
+// `none`. Colours are linear, with the primaries of sRGB; the value is their luminance, or one of
 // them by the key `component`.
 //
 // Coordinates are the texture's own (s, t), or a place in space for a solid texture.

@@ -20,8 +20,9 @@
 //
 // Bound: colours are cut to [0, 1]; with the default noise nothing is cut. Mean: half way between
 // early and late wood, since a ring's mean is 1/2 and the noise's is 0 (exact far from the axis and
-// with a wobble of a ring or more, so it is not stated). Period: none. Class C1, but for the axis.
-// NaN and infinite places give NaN, and those beyond 2^50 units (where fibres have no fraction).
+// with a wobble of a ring or more, so it is not stated). Period: none. Class C1, except for the
+// axis. NaN and infinite places give NaN, and those beyond 2^50 units (where fibres have no
+// fraction).
 //
 // Source: the text shows solid wood in figure 2.1 without a listing; rings about an axis with noise
 // are those of perlin1985. All numbers are ours.

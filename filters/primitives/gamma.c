@@ -11,9 +11,9 @@
 //   width, filter, anchor   how it is averaged (filters/primitive.h). The ideal filter, which has
 //                           no end, is refused for widths below 1/8192
 //
-// Bound: 0 and 1; none for filters with negative lobes. Infinite width: 1/2, as it is 0 on one side
-// and 1 on the other. NaN gives NaN, infinite x 0 or 1. The text's pow is not defined below 0, and
-// goes on above 1; here the curve maps the unit interval to itself. Source: peachey2003, p. 37.
+// Bound: 0 and 1; none for filters with negative lobes. Infinite width: 1/2, because it is 0 on one
+// side and 1 on the other. NaN gives NaN, infinite x 0 or 1. The text's pow is not defined below 0,
+// and goes on above 1; here the curve maps the unit interval to itself. Source: peachey2003, p. 37.
 #include "filters/average.h"
 #include "filters/primitive.h"
 #include "filters/unit_curve.h"

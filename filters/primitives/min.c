@@ -10,9 +10,9 @@
 //   high                    any finite number
 //   width, filter, anchor   how it is averaged (filters/primitive.h)
 //
-// Bound: none on one side; high on the other, but for filters with negative lobes. Infinite width:
-// minus infinity, as there is no mean. NaN gives NaN, infinite x the limit. Source: peachey2003,
-// p. 28.
+// Bound: none on one side; high on the other, except for filters with negative lobes. Infinite
+// width: minus infinity, as there is no mean. NaN gives NaN, infinite x the limit. Source:
+// peachey2003, p. 28.
 #include "filters/average.h"
 #include "filters/primitive.h"
 

@@ -10,8 +10,8 @@
 //   a, b                    the values at 0 and 1, any finite numbers
 //   width, filter, anchor   of a sample (filters/primitive.h); only the anchor matters
 //
-// Not clamped. Bound: none, but for a = b. Infinite width: about x the value itself. NaN gives NaN,
-// infinite x the limit. Source: peachey2003, p. 24.
+// Not clamped. Bound: none, except for a = b. Infinite width: about x the value itself. NaN gives
+// NaN, infinite x the limit. Source: peachey2003, p. 24.
 #include "filters/primitive.h"
 
 #include <math.h>

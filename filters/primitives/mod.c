@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// mod: what is left of x after whole periods, the sawtooth.
+// mod: the remainder of x after whole periods: a sawtooth.
 //
 //   mod(x) = x - period floor(x / period), in [0, period); for a negative period in (period, 0],
 //   so that mod(-x, -period) = -mod(x, period)
@@ -12,7 +12,7 @@
 //   width, filter, anchor   how it is averaged (filters/primitive.h). The ideal filter, which has
 //                           no end, is refused for widths below period / 8192
 //
-// Exact at any distance, as C's fmod is, but for one rounding where x and the period differ in
+// Exact at any distance, as C's fmod is, except for one rounding where x and the period differ in
 // sign. The text's listing casts x / period to an integer, which overflows beyond 2^31 periods
 // (undefined; on usual machines the result is far out of range), and multiplies the rounded
 // quotient back, which loses digits before that.

@@ -28,7 +28,7 @@
 //
 // Convolution noises. sum_c |K(|x-c|)| over the lattice points; for impulses anywhere in their
 // cells, the largest |K| in each cell, summed over the cells: N impulses of size below 1 in a cell,
-// divided by N, add at most that, whatever N. A table of squared distances, N entries a unit,
+// divided by N, add at most that for every N. A table of squared distances, N entries a unit,
 // rounds the squared distance by at most 1/(2N); K falls by at most 5/2 of it below r = 1 and by
 // 1/4 of it beyond.
 //

@@ -14,9 +14,9 @@
 // a polynomial over d on [n, n+1], and a polynomial on [0, 1]. R vanishes from 4 on, because the
 // integral of rho_g is the square of the integral of g, 0.
 //
-// Continuity. K is even and smooth in r^2 but for r^3 at the centre, which is C2 in space; it and
-// its first derivative meet at r = 1 and r = 2, the second derivatives 4 and 2 do not meet at 1.
-// So K is C1.
+// Continuity. K is even and smooth in r^2 except for r^3 at the centre, which is C2 in space; it
+// and its first derivative meet at r = 1 and r = 2, the second derivatives 4 and 2 do not meet at
+// 1. So K is C1.
 #include <math.h>
 
 #include "noises/lattice/kernel_tables.h"

@@ -192,7 +192,7 @@ static inline uint32_t bl_lattice_hash_word(const bl_lattice *lattice, const uin
     return add * exclusive;
 }
 
-// The word of an index of lattice=perm256: that of the cell (index, 0, 0), whatever the period.
+// The word of an index of lattice=perm256: that of the cell (index, 0, 0), for every period.
 static inline uint32_t bl_perm256_word(const bl_lattice *lattice, uint32_t index,
                                        unsigned component) {
     bl_lattice plain = *lattice;

@@ -15,9 +15,9 @@
 // back to points; that choice depends on the step alone.
 //
 // A coordinate is rounded once, to a multiple of 2^-24 (half a unit in the last place of a float
-// near 1), ties to even, and splits then exactly into cell and fraction: by itself, whatever its
-// neighbours in a block are. So neither the length of a row, nor where it was cut, nor the points
-// of a batch change a bit of a sample.
+// near 1), ties to even, and splits then exactly into cell and fraction: by itself, and does not
+// depend on its neighbours in a block. So neither the length of a row, nor where it was cut, nor
+// the points of a batch change a bit of a sample.
 #ifndef BL_NOISES_LATTICE_SEPARABLE_H
 #define BL_NOISES_LATTICE_SEPARABLE_H
 
@@ -330,8 +330,8 @@ static inline int bl_row_block_load(bl_row_block *block, double start, double st
         to = start + (double)(first + count - 1) * step;
         inside = fabs(from) < 0x1p62;
         // Both ends are inside, or both are outside, on one side because they are not far apart;
-        // coordinates are monotone along a row, so all between are as the ends. Ends for one
-        // sample, which is as far as itself (or infinite or NaN: no number is the distance).
+        // coordinates are monotone along a row, so all between are as the ends. It stops after one
+        // sample if that one does not advance (or is infinite or NaN: no number is the distance).
         if (inside == (fabs(to) < 0x1p62) && !(fabs(to - from) >= BL_CELLS - 4))
             break;
     }

@@ -54,8 +54,8 @@ BL_INLINE int simplex_is_near(unsigned dims, const double at[BL_AXES]) {
 
 // F S of near cells, of the sum S: its whole part to `whole`, or a neighbour of it, and the rest.
 // |S| <= 2^29, so S * high (21 bits) and S * middle (24 bits) are exact. `whole` is at most 1 from
-// F S, so that what remains is at most 1 in size but for 2^-17 (S * low), and the sum of the first
-// two parts, a multiple of 2^-46, is exact: the one rounding is the last.
+// F S, so that what remains is at most 1 in size except for 2^-17 (S * low), and the sum of the
+// first two parts, a multiple of 2^-46, is exact: the one rounding is the last.
 BL_INLINE double simplex_skew_near(unsigned dims, double cells, double *whole) {
     *whole = floor(cells * simplex_skews[dims]);
     return ((cells * simplex_near_high[dims] - *whole) + cells * simplex_near_middle[dims]) +

@@ -19,7 +19,7 @@ typedef struct simplex_gradient {
     float x, y, z, w;
 } simplex_gradient;
 
-// From the top bits of a word: exact floats, but for the diagonals in 2-D, whose floats are the
+// From the top bits of a word: exact floats, except for the diagonals in 2-D, whose floats are the
 // gradient by definition.
 BL_INLINE simplex_gradient simplex_gradient_of(unsigned dims, uint32_t word) {
     if (dims == 3) {

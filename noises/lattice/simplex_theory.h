@@ -17,7 +17,7 @@
 //   L(z) = Gamma(v + 1) (2/z)^v J_v(z),  v = n/2 + 5,
 //
 // and the density is sqrt(n+1) s (2 pi |f|)^2 times a hundredth of its square. The covariance is by
-// Gauss-Legendre quadrature along t and across it: exact but for rounding in 3 dimensions, where
+// Gauss-Legendre quadrature along t and across it: exact except for rounding in 3 dimensions, where
 // all is polynomial; in 2 and 4 the slices of the lens end as odd powers of a root, which is taken
 // as the variable, and the error is below 1e-13 of the variance (t-simplex).
 //

@@ -48,7 +48,7 @@ bl_wiener_kernel bl_wiener_kernel_of(bl_wiener_covariance covariance, double wid
 void bl_wiener_weights(const bl_wiener_kernel *kernel, double t, double weight[4], double slope[4]);
 
 // From here on k is that of the pieces. k(x); int k(x) k(x + lag) dx, by a quadrature that is exact
-// but for rounding; int k(x) cos(2 pi f x) dx, to 1e-14.
+// except for rounding; int k(x) cos(2 pi f x) dx, to 1e-14.
 double bl_wiener_value(const bl_wiener_kernel *kernel, double x);
 double bl_wiener_correlation(const bl_wiener_kernel *kernel, double lag);
 double bl_wiener_transform(const bl_wiener_kernel *kernel, double f);

@@ -6,8 +6,8 @@
 //
 //   a_i = U_i + alpha_i cos V_{i-1},   b_i = V_i + beta_i cos U_{i-1},   alpha_0 = beta_0 = 0
 //
-// but for constants in a_0 and b_0. Over all places phases whose frequencies have no common measure
-// are independent and uniform. For a lag (dx, dy) then
+// except for constants in a_0 and b_0. Over all places phases whose frequencies have no common
+// measure are independent and uniform. For a lag (dx, dy) then
 //
 //   2 E[cos a_i cos a_i'] = cos(2 pi u_i dx) J0(2 alpha_i sin(pi v_{i-1} dy)) =: A_i
 //

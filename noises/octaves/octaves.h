@@ -219,7 +219,7 @@ extern const char *const bl_octave_basis_examples[];
         .help = "the ratio of the frequencies of neighbouring octaves", .examples = more           \
     }
 
-// The functions of a sum whose octaves add up as they are, but for those of its own.
+// The functions of a sum that adds its octaves up unchanged, except those that it has itself.
 #define BL_OCTAVES_FUNCTIONS                                                                       \
     .row = bl_octaves_row, .points = bl_octaves_points, .value = bl_octaves_value,                 \
     .values = bl_octaves_values, .gradient = bl_octaves_gradient, .filtered = bl_octaves_filtered, \

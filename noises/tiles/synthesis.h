@@ -6,7 +6,7 @@
 // f_a = r k_a / S_a with whole k_a, |k_a| < S_a/2. A pair k, -k is one cosine. With the target p_k
 // of its power, its weight in the tile is  sqrt(2 p_k) g_k cos(2 pi f.x + phase) / k^_x k^_y k^_z,
 // g_k = 1 or of mean square 1, where k^ is the reading kernel's transform at k_a / S_a cycles a
-// number: so the noise as it is read has exactly the power p_k there, and besides it only images.
+// number: so the noise that is read has exactly the power p_k there, and nothing else but images.
 #ifndef BL_NOISES_TILES_SYNTHESIS_H
 #define BL_NOISES_TILES_SYNTHESIS_H
 

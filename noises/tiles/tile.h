@@ -129,12 +129,12 @@ double bl_tile_gain(bl_tile_kernel kernel);
 
 // Solves a periodic system along the middle index of numbers[outer][n][inner], in place: the
 // numbers are divided by the filter x + 1/x - (z + 1/z), x the shift by one, for a pole 0 < |z| <
-// 1, by a recursion each way (unser1993), exact but for rounding: periodic sums start them.
+// 1, by a recursion each way (unser1993), exact except for rounding: periodic sums start them.
 void bl_tile_solve(double *numbers, size_t outer, size_t n, size_t inner, double pole);
 
-// Turns values into the weights of the kernel that pass through them: for the cubic B-spline
-// (1, 4, 1)/6 is inverted along each axis, the others are as they are. The largest sum of sizes of
-// the inverse is 3 an axis: 1 / ((4 - 2)/6).
+// Turns values into the weights of the kernel that pass through them: for the cubic B-spline (1, 4,
+// 1)/6 is inverted along each axis; for the others nothing changes. The largest sum of sizes of the
+// inverse is 3 an axis: 1 / ((4 - 2)/6).
 void bl_tile_prefilter(double *numbers, const uint32_t size[BL_TILE_AXES], bl_tile_kernel kernel);
 double bl_tile_prefilter_gain(bl_tile_kernel kernel);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The figures of the verb `compare`: the gallery of the text for the user's own signals. They claim
-// nothing; whether a signal keeps what it states is asked by `check --claims` and `score`.
+// nothing; `check --claims` and `score` tell whether a signal keeps what it states.
 #include "reports/compare.h"
 
 #include <math.h>

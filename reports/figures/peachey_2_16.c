@@ -24,7 +24,7 @@ static double square_less_spline(const bl_gallery *g, double x) {
 }
 
 // The largest jump of a derivative at a knot between the ends, per span: one-sided differences of
-// three values, which are exact for the second derivative of a cubic but for its third times h.
+// three values, which are exact for the second derivative of a cubic except for its third times h.
 static double jump_at_knots(const bl_gallery *g, int order) {
     const double h = 1e-4 / SPANS;
     double largest = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// peachey-2.25: bricks with grooves, and what is left of their shading from afar.
+// peachey-2.25: bricks with grooves, and how their shading looks from afar.
 #include <math.h>
 
 #include "reports/figures/estimates.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// peachey-2.9: two steps make a pulse, and what is left of it under wider and wider boxes.
+// peachey-2.9: two steps make a pulse, which ever wider boxes flatten.
 #include <math.h>
 
 #include "reports/figures/curves.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// width-estimators: the width of a sample as it is estimated from the derivatives of a coordinate,
-// against what the pixel covers in truth.
+// width-estimators: widths of samples estimated from the derivatives of a coordinate, against what
+// the pixel really covers.
 //
 // Two truths: the extent of the pixel along the axis, which a box must cover so that nothing is
 // missed, and the width of the box that has the same variance as the coordinate over the pixel,

@@ -14,12 +14,12 @@
 // more averages; each of the two looks has half of that share. A leak that is stated fails where
 // the lower limit lies above it. It is a number, not a budget: one that is exactly right lies
 // between the limits however many averages there are, so it passes where the upper limit is less
-// than 1 dB above it, and is inconclusive else. A band that is stated is always the one that is
-// judged. Of one without a number the leak has a budget, which pass needs the upper limit to keep:
-// -30 dB where none is stated; where it states no leak at all, or less than arithmetic can show,
-// -80 dB, the floor: a line at the very edge of the band leaves 10^-9 of its power in the side
-// lobes of the window, and float rows round at 10^-11 of the variance or less. Without a band the
-// ideal asks for at most -30 dB above 1 cycle per unit, as a budget too.
+// than 1 dB above it, and is inconclusive else. If a band is stated, it is what is judged. Of one
+// without a number the leak has a budget, which pass needs the upper limit to keep: -30 dB where
+// none is stated; where it states no leak at all, or less than arithmetic can show, -80 dB, the
+// floor: a line at the very edge of the band leaves 10^-9 of its power in the side lobes of the
+// window, and float rows round at 10^-11 of the variance or less. Without a band the ideal asks for
+// at most -30 dB above 1 cycle per unit, as a budget too.
 #include <math.h>
 #include <stdio.h>
 

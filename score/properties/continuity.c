@@ -4,14 +4,14 @@
 //
 // Lines of 16 cells, half of them along an axis and half oblique, with their middles within 4 cells
 // of the origin or (a quarter) within 16, are scanned by rows with 256 samples a cell. Third
-// differences d3 of neighbouring samples are large where something jumps: the value (d3 of the size
-// of the jump, whatever the step h), the first derivative (d3 ~ h), the second (d3 ~ h^2);
-// elsewhere d3 ~ h^3. The largest ones of each line are looked at closely: the reference is sampled
-// in the window of four samples, 16 times as densely, the window of the largest d3 is taken again,
-// and so on down to h of 10^-11 of a cell. The power of h by which d3 falls in the end tells the
-// order of what is there, and d3 its size. Rounding ends the descent; where it ends too early to
-// tell, what rounding can hide is either too small to count, or the place is unresolved. The power
-// is taken below an eighth of the finest cell: above, the waves of the finest octaves are no jumps.
+// differences d3 of neighbouring samples are large where something jumps: the value (d3 as large as
+// the jump, for every step h), the first derivative (d3 ~ h), the second (d3 ~ h^2); elsewhere d3 ~
+// h^3. The largest ones of each line are looked at closely: the reference is sampled in the window
+// of four samples, 16 times as densely, the window of the largest d3 is taken again, and so on down
+// to h of 10^-11 of a cell. The power of h by which d3 falls in the end tells the order of what is
+// there, and d3 its size. Rounding ends the descent; where it ends too early to tell, what rounding
+// can hide is either too small to count, or the place is unresolved. The power is taken below an
+// eighth of the finest cell: above, the waves of the finest octaves are no jumps.
 //
 // Judged against the stated class: a jump of a derivative of that order or below fails. A signal
 // that states a bound, or a class of 0 or more, states its class; -1 of any other is "not stated",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Far out: what is left of the noise at large coordinates.
+// Far out: how good the noise still is at large coordinates.
 //
 // In one cell at each power of ten from 10^3 to 10^15 (and at 2^31 and 2^53) along each axis, 256
 // places are sampled, in three cells some way apart, of which the best counts: one of a sparse
@@ -47,7 +47,7 @@ static const char *const error_names[SCALES + 2] = {
     "error_at_1e8",  "error_at_1e9",  "error_at_1e10", "error_at_1e11", "error_at_1e12",
     "error_at_1e13", "error_at_1e14", "error_at_1e15", "error_at_2e31", "error_at_2e53"};
 
-// Of one cell: the share of distinct values, by the reference or by points, whatever is less, and
+// Of one cell: the share of distinct values, of the reference or of points, the smaller one, and
 // the largest difference of the two.
 typedef struct view {
     double share, error;

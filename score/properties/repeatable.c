@@ -4,9 +4,10 @@
 //
 // An exact test. The same places are asked for again, backwards, in pieces of several sizes, from
 // several threads at once, of a second signal of the same seed, and of the loops for every other
-// instruction set; every bit must agree. Scattered points and rows along every axis and across them
-// are asked for, near the origin and far away. The starts and steps of rows are multiples of 2^-10,
-// so that start + i*step is exact and a piece of a row has the places of the whole.
+// instruction set; every bit must agree. This is done with scattered points and with rows along
+// every axis and across them, near the origin and far away. The starts and steps of rows are
+// multiples of 2^-10, so that start + i*step is exact and a piece of a row has the places of the
+// whole.
 //
 // Rows, points and the double reference are three routes to one function: they must agree to
 // 32 * 2^-24 * max(1, bound) where the signal states its bound, which is the rounding that float

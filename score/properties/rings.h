@@ -4,7 +4,7 @@
 //
 // The anisotropy of a ring is the variance of its cells over the square of their mean. Of an
 // isotropic signal it is 1 over the number of averages, the floor. The mean of an octave weighs
-// each ring by its area, whatever its power; the mean of all weighs them by their power. Several
+// each ring by its area, not by its power; the mean of all weighs them by their power. Several
 // measurements with fresh seeds at fresh places are independent: their spread is the interval, of
 // Student's t.
 #ifndef BL_SCORE_PROPERTIES_RINGS_H

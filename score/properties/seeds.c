@@ -15,8 +15,8 @@
 // seed. Student's t over the seeds s tests it, for each change and each way to go, and for all
 // changes together; all tests of a signal share alpha. If a relation of half the variance, of all
 // changes at the same places, could not be told from chance, four and then sixteen times as many
-// seeds are taken; if it still could not, nothing is said. Signals that are slow to make are asked
-// for a few bits of each seed; their correlation is that of all changes.
+// seeds are taken; if it still could not, nothing is said. Of signals that are slow to make, only a
+// few bits of each seed are tried; their correlation is that of all changes.
 #include "score/properties/places.h"
 
 #include <math.h>
@@ -301,7 +301,7 @@ static int run(const survey *s, const bl_score_settings *settings, int has_more,
         totals sum = {0};
         if (!is_missing)
             sum = totals_of(s, batches, settings->alpha);
-        // By the spread alone, whatever the mean is: the choice does not favour a verdict.
+        // Judged by the spread alone, not by the mean: the choice does not favour a verdict.
         *is_coarse = has_more && sum.told > MOST_TOLD;
         if (!is_missing && !*is_coarse)
             judge(s, batches, sum, settings, result);
