@@ -274,7 +274,7 @@ static const bl_option options[] = {
     {.name = "largest",
      .kind = BL_OPTION_FLAG,
      .offset = AT(largest),
-     .help = "the tolerance holds for every pixel, and not for the root mean square"},
+     .help = "every pixel must be within the tolerance, not only the root mean square"},
     {.name = "method",
      .also = "filter",
      .kind = BL_OPTION_WORDS,
@@ -296,12 +296,11 @@ const bl_verb bl_verb_advise = {
     .summary = "the cheapest way to sample within a tolerance",
     .text =
         "Measures every usual method of sampling a texture, a primitive or a noise under a view, "
-        "and "
-        "tells the cheapest whose error stays within the tolerance, what it costs, what the next "
-        "cheaper one gets wrong and where, and what the scene does not need: widths that no "
-        "sample has, octaves that no pixel shows, dimensions that do not vary. The exit status is "
-        "0 if there is one, 1 if the reference is not known well enough to tell, 2 if there is "
-        "none.",
+        "and tells the cheapest one whose error stays within the tolerance, what it costs, what "
+        "the next cheaper one gets wrong and where, and what the scene does not need: widths that "
+        "no sample has, octaves that no pixel shows, dimensions that do not vary. The exit status "
+        "is 0 if a method is within the tolerance, 1 if the reference is not exact enough to tell, "
+        "2 if none is.",
     .least = 1,
     .most = 1,
     .output_help = "write the report to PATH instead of stdout",

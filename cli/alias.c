@@ -203,8 +203,8 @@ static const bl_option options[] = {
      .value = "KERNEL",
      .fallback = "box",
      .choices = bl_pixel_words,
-     .help = "of the converged reference: box, a pixel wide, or gaussian, of a standard deviation "
-             "of half a pixel"},
+     .help = "the pixel of the converged reference: a box as wide as a pixel, or a gaussian with a "
+             "standard deviation of half a pixel"},
     {.name = "cache",
      .kind = BL_OPTION_WORD,
      .offset = AT(cache),
@@ -218,12 +218,11 @@ const bl_verb bl_verb_alias = {
     .summary = "alias and blur of each method of sampling under a view",
     .text =
         "Samples a texture, a primitive or a noise under a view with each of the methods asked "
-        "for, and "
-        "compares the images with a converged reference: the energy that folds into the image "
-        "(alias), the energy that is missing within (blur), squared and largest error, structural "
-        "similarity, what flickers when the picture moves, and the time of a pixel. Alias and blur "
-        "are averages over random shifts of the pixels, and over fresh seeds where the signal has "
-        "one; their intervals come of the spread.",
+        "for, and compares the images with a converged reference: the energy that folds into the "
+        "image (alias), the energy that is missing within (blur), squared and largest error, "
+        "structural similarity, what flickers when the picture moves, and the time of a pixel. "
+        "Alias and blur are averages over random shifts of the pixels, and over fresh seeds of a "
+        "signal that has one; their intervals are from the spread.",
     .least = 1,
     .most = 1,
     .output = BL_OUTPUT_FOLDER,

@@ -208,12 +208,11 @@ const bl_verb bl_verb_bench = {
     .operands = "[NOISE...]",
     .summary = "throughput, ns a sample, against what is installed",
     .text =
-        "Times rows of samples along each axis (20 and 2 samples a cell) and scattered points, "
-        "by turns with a plain loop at the same places (the textbook's, or for other settings than "
-        "the default the reference in double), then the other "
-        "libraries that are installed (stb_perlin, libnoise), then a radial spectrum of 4096 x "
-        "4096 samples against the bare transform. With words, those noises alone and no "
-        "spectrum.",
+        "Times rows of samples along each axis (20 and 2 samples a cell) and scattered points. "
+        "Each takes turns with a plain loop at the same places: the textbook's or, for settings "
+        "other than the default, the reference in double. Then come the other libraries that are "
+        "installed (stb_perlin, libnoise), and a radial spectrum of 4096 x 4096 samples against "
+        "the bare transform. With words, those noises alone and no spectrum.",
     .most = 4096,
     .output = BL_OUTPUT_DATA,
     .output_help = "write the rows as CSV to PATH (as the JSON object, if PATH ends in .json)",

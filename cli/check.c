@@ -157,8 +157,8 @@ static const bl_option options[] = {
     {.name = "claims",
      .kind = BL_OPTION_FLAG,
      .offset = offsetof(check_settings, claims),
-     .help = "check everything that the signal states of itself, by the scorecard, in place of a "
-             "band, whose options it refuses"},
+     .help = "judge every fact that the signal states, by the scorecard, in place of one band; "
+             "options of a band are then refused"},
     {.name = "alpha",
      .kind = BL_OPTION_REAL,
      .offset = offsetof(check_settings, alpha),
@@ -175,12 +175,12 @@ const bl_verb bl_verb_check = {
     .operands = "SIGNAL",
     .summary = "band-limit verdict: does the signal keep to its band",
     .text =
-        "Measures the share of the variance outside of the band. Pass (exit status 0): its "
-        "upper confidence limit is below the leak allowed; fail (2): its lower limit is above; "
-        "inconclusive (1): the limits straddle it, and the averages needed are told. Where there "
-        "is nothing to judge, because the signal is constant, or no frequency that was measured "
-        "lies in the band or outside of it and its guard, it is an error (3). With --claims "
-        "every fact that the signal states is judged, as its range, mean, variance and band: a "
+        "Measures the share of the variance outside of the band. Pass (exit status 0): its upper "
+        "confidence limit is below the leak allowed; fail (2): its lower limit is above; "
+        "inconclusive (1): the limits straddle it, and the report says how many averages would "
+        "settle it. It is an error (3) if there is nothing to judge: the signal is constant, or no "
+        "measured frequency lies in the band, or none outside of the band and its guard. --claims "
+        "judges every fact that the signal states (its range, mean, variance, band and so on), a "
         "line a claim. A signal that states nothing is an error (3), and so is a program, which "
         "can state nothing.",
     .least = 1,

@@ -67,11 +67,11 @@ const bl_verb bl_verb_compare = {
     .operands = "SIGNAL...",
     .summary = "the papers' comparison figures for these signals",
     .text =
-        "The three figures with which the text compares noises, and the histogram, for any "
-        "signals: graphs along a line, slices, power spectra with their closed forms, and the "
-        "distribution of the values. Each figure gets a folder of its own with its data, its "
-        "plots and the scripts that drew them; index.html shows all. A signal that lacks a "
-        "dimension is left out of the figures that need it, and the page says so.",
+        "The figures by which peachey2003 compares noises, for any signals: graphs along a line, "
+        "slices, and power spectra with their closed forms; and the distribution of the values. "
+        "Each figure gets a folder of its own with its data, its plots and the scripts that drew "
+        "them; index.html shows all. A signal that lacks a dimension is left out of the figures "
+        "that need it, and the page says so.",
     .least = 1,
     .most = 52,
     .output = BL_OUTPUT_FOLDER,

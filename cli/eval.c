@@ -184,13 +184,12 @@ const bl_verb bl_verb_eval = {
     .operands = "SIGNAL [X [Y [Z [W]]]]",
     .summary = "values at points, from arguments or stdin",
     .text =
-        "Prints the value at the point X Y Z W in lattice cells; coordinates left out are 0, "
-        "and those that the signal does not have are ignored. Without X, points are read from "
-        "standard input, one a line, numbers with blanks or one comma between them, # starting a "
-        "comment; one value is printed for each, or with --components a line of as many. A value "
-        "is the float that rows of samples "
-        "hold; with --json the double reference is given too. A place where the signal has no "
-        "value prints nan (null in JSON).",
+        "Prints the value at the point X Y Z W in lattice cells; coordinates left out are 0, and "
+        "those that the signal does not have are ignored. Without X, points are read from standard "
+        "input, one a line, numbers with blanks or one comma between them, # starting a comment; "
+        "one value is printed for each, or with --components a line of as many. Values are floats, "
+        "as in rows of samples; --json gives the double reference too. Where the signal has no "
+        "value, nan is printed (null in JSON).",
     .least = 1,
     .most = 1 + BL_AXES,
     .output_help = "write the values to PATH instead of stdout",

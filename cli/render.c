@@ -394,10 +394,9 @@ static const bl_option options[] = {
      .kind = BL_OPTION_WORD,
      .offset = AT(range),
      .value = "LO:HI",
-     .help =
-         "PNG: the values of black and white (default: -1:1 where a bound between 0.5 and 2 either "
-         "way, or none, is stated; else the stated bounds, as 0:1, of large ones no more than 4 "
-         "deviations from the mean; of a texture, and of an image without negative values 0:1)"},
+     .help = "PNG: the values of black and white (default: 0:1 for a texture, and for an image "
+             "without negative values; -1:1 where no bounds are stated, or bounds from 0.5 to 2 "
+             "either way; else the stated bounds, but at most 4 deviations from the mean)"},
     {.name = "bits",
      .kind = BL_OPTION_CHOICE,
      .offset = AT(bits),
@@ -414,11 +413,10 @@ const bl_verb bl_verb_render = {
     .operands = "SIGNAL -o FILE",
     .summary = "an image of a slice (EXR, PNG, TIFF by the name)",
     .text =
-        "EXR and TIFF hold the values as floats; PNG holds codes proportional to the value "
-        "within the range. Textures are drawn in colour, linear in EXR and TIFF, by the curve of "
-        "sRGB in PNG, unless component= names one of its components. With --components a pixel has "
-        "as many values: three are red, green and "
-        "blue. The settings travel as attributes of the file.",
+        "EXR and TIFF hold the values as floats; PNG holds codes proportional to the value within "
+        "the range. Textures are drawn in colour, linear in EXR and TIFF, by the curve of sRGB in "
+        "PNG, unless component= names one of its components. --components says how many values a "
+        "pixel has: three are red, green and blue. The file keeps the settings as attributes.",
     .least = 1,
     .most = 1,
     .output = BL_OUTPUT_FOLDER,

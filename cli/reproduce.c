@@ -30,8 +30,8 @@ const bl_verb bl_verb_reproduce = {
     .operands = "[FIGURE...]",
     .summary = "regenerate figures: data, plot, image, claims, HTML",
     .text =
-        "Without words, all figures. Each gets a folder of its own; index.html shows them. A "
-        "claim of a paper that turns out false is a finding and does not fail the run; a claim "
+        "Without words, all figures. Each gets a folder of its own, and index.html shows them all. "
+        "A claim of a paper that turns out false is a finding and does not fail the run; a claim "
         "of our own that fails does (exit status 2). --quick takes seconds, --full a night.",
     .most = 4096,
     .output = BL_OUTPUT_FOLDER,

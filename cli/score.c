@@ -280,7 +280,7 @@ static const bl_option options[] = {
     {.name = "strict",
      .kind = BL_OPTION_FLAG,
      .offset = offsetof(score_settings, strict),
-     .help = "what is judged against the ideal counts for the exit status too"},
+     .help = "count what is judged against the ideal for the exit status too"},
     {.name = "alpha",
      .kind = BL_OPTION_REAL,
      .offset = offsetof(score_settings, alpha),
@@ -297,14 +297,14 @@ const bl_verb bl_verb_score = {
     .operands = "[SIGNAL...]",
     .summary = "the ideal-noise scorecard",
     .text =
-        "Measures signals against the properties of an ideal noise: a repeatable function "
-        "of a known range, limited to a band, without periods, stationary and isotropic; and "
-        "against what they state of themselves. A row a signal, a column a property (as in JSON): "
-        "repeatable, range, band, period, stationarity, isotropy, continuity, seeds, far, "
-        "gradient, cost. Each is judged against what the signal states or, where it states "
-        "nothing, "
-        "against the ideal; the exit status is that of the former: 2 if one fails, else 1 if one "
-        "is inconclusive, else 0. All tests of a table share one probability of a false alarm.",
+        "Measures signals against the properties of an ideal noise: a repeatable function of a "
+        "known range, limited to a band, without periods, stationary and isotropic; and against "
+        "what they state of themselves. A row is a signal, a column a property: repeatable, range, "
+        "band, period, stationarity, isotropy, continuity, seeds, far, gradient, cost. Each is "
+        "judged against what the signal states or, where it states nothing, against the ideal. The "
+        "exit status counts only what the signals state: 2 if something is false, else 1 if "
+        "something is inconclusive, else 0. All tests of a table share one probability of a false "
+        "alarm.",
     .most = 4096,
     .output = BL_OUTPUT_DATA,
     .output_help =

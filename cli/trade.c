@@ -168,17 +168,18 @@ static bl_status run_trade(bl_call *call) {
     return status;
 }
 
-static const bl_option options[] = {{.name = "trade",
-                                     .kind = BL_OPTION_WORD,
-                                     .offset = offsetof(trade_options, trade),
-                                     .value = "NAME",
-                                     .help = "this trade alone (default: all that apply)"},
-                                    {.name = "view",
-                                     .kind = BL_OPTION_WORD,
-                                     .offset = offsetof(trade_options, view),
-                                     .value = "VIEW",
-                                     .help = "under which a texture is sampled (default: plane)"},
-                                    {0}};
+static const bl_option options[] = {
+    {.name = "trade",
+     .kind = BL_OPTION_WORD,
+     .offset = offsetof(trade_options, trade),
+     .value = "NAME",
+     .help = "this trade alone (default: all that apply)"},
+    {.name = "view",
+     .kind = BL_OPTION_WORD,
+     .offset = offsetof(trade_options, view),
+     .value = "VIEW",
+     .help = "the view under which a texture is sampled (default: plane)"},
+    {0}};
 
 const bl_verb bl_verb_trade = {
     .name = "trade",
@@ -186,10 +187,10 @@ const bl_verb bl_verb_trade = {
     .summary = "cost against error of every alternative",
     .text =
         "SUBJECT is a noise, a primitive, a texture, or the word spectrum. For every choice that "
-        "it leaves, as the table of a kernel, the precision, the octaves or the filter, each "
-        "alternative is compared with the best that can be had and timed, all of them by turns "
-        "until the spread is known. A star marks those of the front: nothing else is both cheaper "
-        "and better, as far as the intervals tell.",
+        "it leaves (the table of a kernel, the precision, the octaves, the method of sampling), "
+        "each alternative is compared with the most exact one and timed, all by turns until the "
+        "spread is known. A star marks an alternative if nothing else is both cheaper and better, "
+        "as far as the intervals tell.",
     .least = 1,
     .most = 1,
     .output = BL_OUTPUT_FOLDER,

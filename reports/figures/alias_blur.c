@@ -226,8 +226,8 @@ static void draw_pictures(bl_run *run, const bl_alias_result *const *all) {
                           .coloured = 1,
                           .pixel = 1};
     bl_run_plot(run, "pictures", &plot,
-                "A brick wall, a zone plate and a sine: point sampled with false patterns, "
-                "supersampled with fainter ones, jittered with noise, filtered with none.");
+                "A brick wall, a zone plate and a sine. Point samples show false patterns, "
+                "supersamples fainter ones, jittered samples noise, and filtered ones none.");
 }
 
 // --- the largest single frequency of the error ---------------------------------------------------
@@ -286,8 +286,8 @@ static void claim_lines(bl_run *run, int n, const bl_alias_result *m) {
                   "largest single frequency in the error falls.",
                   reading, "dB", -INFINITY, 0, bl_observed(share, pixels), "pixels");
     bl_make_claim(run, "peachey2003, Methods of Antialiasing Procedural Textures",
-                  "Irregular samples convert aliases into noise and cannot eliminate them: the "
-                  "error keeps at least a hundredth of its energy.",
+                  "Irregular samples turn aliases into noise but cannot remove them: the error "
+                  "keeps at least a hundredth of its energy.",
                   reading, "dB", -20, INFINITY, bl_observed(energy, pixels), "pixels");
     if (n != SINE)
         return;
@@ -361,6 +361,6 @@ BL_FIGURE_DESCRIPTOR(alias_blur) = {
         "folds into the picture (alias) against the energy that is missing or wrong within it "
         "(blur). The best stands at the lower left. A box that is a pixel wide is no ideal filter: "
         "it blurs, and leaves some alias. Tent and Mitchell weight 2 x 2 samples a pixel; jittered "
-        "and Sobol are 4 x 4 irregular ones. Pictures show what that looks like, of a sine, too, "
-        "for which 4 x 4 samples are too few.",
+        "and Sobol are 4 x 4 irregular ones. The pictures show it, also for a sine that is too "
+        "fine for 4 x 4 samples.",
     .run = run_figure};

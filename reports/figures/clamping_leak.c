@@ -50,14 +50,14 @@ static void claim_leak(bl_run *run, const bl_gallery_spectra *spectra, int way) 
         leak[sum] = power_of(spectra, sum, way, NYQUIST, INFINITY);
     // The window leaks -92 dB, and the nearest wave of the sum lies 70 bins below the limit.
     bl_make_claim(run, section,
-                  "Clamping works very well for sine waves: of a sum of them, what is left above "
-                  "the Nyquist frequency of the samples.",
+                  "Clamping works very well for sine waves: the power of a sum of them that is "
+                  "left above the Nyquist frequency of the samples.",
                   ways[way], "dB of the variance", -INFINITY, -80,
                   bl_observed(10 * log10(fmax(leak[0].value, 1e-30)), leak[0].samples), "averages");
     bl_make_claim(
         run, section,
-        "With a primitive that has a richer spectrum the low-pass filtering is imperfect: of a sum "
-        "of gradient noises, what is left above the Nyquist frequency.",
+        "With a primitive that has a richer spectrum the low-pass filtering is imperfect: the "
+        "power of a sum of gradient noises that is left above the Nyquist frequency.",
         ways[way], "dB of the variance", -60, 0, bl_ratio_db(leak[1], whole), "averages");
 }
 
@@ -135,9 +135,9 @@ static bl_gallery_spectra draw(bl_run *run, const bl_gallery *gallery) {
         .name = "line",
         .title = "What does clamping leave above the Nyquist frequency?",
         .alternative =
-            "Power spectra on logarithmic frequency. The sum of sine waves has a line an octave, "
-            "and clamped none above the limit. The octaves of gradient noise overlap, and clamped "
-            "they leave a slope that runs on beyond the limit.",
+            "Power spectra on logarithmic frequency. The sum of sine waves has one line an octave "
+            "and, if clamped, none above the limit. The octaves of gradient noise overlap: if "
+            "clamped, they leave a slope that runs on beyond the limit.",
         .lowest = 0.25,
         .highest = 128,
         .lowest_db = -120,
@@ -169,7 +169,8 @@ BL_FIGURE_DESCRIPTOR(clamping_leak) = {
         "What does clamping leave above the Nyquist frequency, and what does it take below?",
     .paper = "peachey2003, Clamping",
     .shows =
-        "The power along a line of two sums of octaves whose amplitudes fall as 1/f, as they are, "
-        "and with the octaves removed at once or faded that samples 0.08 apart cannot hold: sine "
-        "waves, which have one frequency each, and gradient noises, which do not.",
+        "The power along a line of two sums of octaves whose amplitudes fall as 1/f: of sine "
+        "waves, which have one frequency each, and of gradient noises, which do not. Each is shown "
+        "whole, and clamped for samples 0.08 apart: octaves too fine for these are removed at "
+        "once, or faded.",
     .run = run_figure};

@@ -49,8 +49,8 @@ static void run_lines(bl_run *run) {
     double length = length_of(&gallery, 20);
     const bl_gallery_graphs graphs = {
         .alternative =
-            "Graphs of value over x, one panel a signal, each along the x axis and along a "
-            "parallel to it between the planes of the lattice.",
+            "Graphs of the value over x, one panel a signal: along the x axis, and along a "
+            "parallel between the planes of the lattice.",
         .lines = lines,
         .line_count = 2,
         .length = length,

@@ -51,8 +51,8 @@ static void claim_tables(bl_run *run, const bl_alternatives *all) {
                   "rms error of vcnoise against the exact kernel", "standard deviations", 0, 0.01,
                   find(all, "table:100")->error, "places");
     bl_make_claim(run, "bandlimit",
-                  "The error of the nearest entry is as the step of the table: that of 64 entries "
-                  "is 16 times that of 1024.",
+                  "The error of the nearest entry is proportional to the step of the table: with "
+                  "64 entries it is 16 times that with 1024.",
                   "rms errors of vcnoise", "", 14, 18, of_64, "places");
     bl_make_claim(run, "bandlimit",
                   "The exact kernel in float is at least twice as fast as any table found in "
@@ -103,12 +103,12 @@ static void claim_forms(bl_run *run, const bl_alternatives *all) {
 
 static const choice choices[] = {
     {"kernel-table", "vcnoise",
-     "Error against time: tables of ever more entries stand at one time, each with a smaller "
-     "error; the exact kernel in float is both faster and better than all.",
+     "Error against time. Larger tables take the same time and have smaller errors; the exact "
+     "kernel in float is both faster and better than all of them.",
      claim_tables},
     {"precision", "gnoise",
-     "Error against time: fixed point of 8 to 24 bits at one time with ever smaller errors, float "
-     "faster and better.",
+     "Error against time. Fixed point of 8 to 24 bits takes the same time, with ever smaller "
+     "errors; float is faster and better.",
      claim_precision},
     {"step-filter", "step",
      "Leak against time: from the bare step down over the box and the tent to the Gaussian; the "
@@ -189,7 +189,7 @@ BL_FIGURE_DESCRIPTOR(cost_error) = {
     .shows =
         "Every alternative of a choice as a point: the time of a sample, measured by turns with "
         "the others, against its error; both axes are logarithmic, and what has no error is not "
-        "drawn. The dashed line joins the front: nothing else is both cheaper and better, as far "
-        "as the intervals tell.",
+        "drawn. The dashed line joins those that nothing beats in both cost and error, as far as "
+        "the intervals tell.",
     .run = run_figure,
     .timed = 1};

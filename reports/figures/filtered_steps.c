@@ -197,7 +197,7 @@ static void claim_lobes(bl_run *run, const bl_filter_numbers *numbers) {
                   "filters");
     bl_make_claim(
         run, section,
-        "... although they ring: the least overshoot of a step under a filter with negative lobes.",
+        "Filters with negative lobes ring: the least overshoot of a step under one of them.",
         "all filters with negative lobes", "of the step", 1e-3, 1,
         bl_exactly(least_overshoot, count[1]), "filters");
 }
@@ -213,7 +213,7 @@ static void claim_integrals(bl_run *run) {
     }
     bl_make_claim(run, section,
                   "The convolution of the Catmull-Rom filter with a step is the integral of the "
-                  "filter: the largest difference of catstep to a sum over the kernel.",
+                  "filter: the largest difference between catstep and a sum over the kernel.",
                   "2^14 values of the kernel a width", "", 0, 1e-8, bl_exactly(off, 65536),
                   "places");
 }

@@ -124,8 +124,8 @@ static void run_figure(bl_run *run) {
         .title = "Do the lattice points of the octaves show, on a plane of the lattice?",
         .alternative =
             "Four grey slices of 8 by 8 cells on a lattice plane: clouds that differ in their "
-            "finer detail. That all octaves of the first vanish at whole cells is hardly seen "
-            "here, but in the next plot.",
+            "finer detail. All octaves of the first vanish at whole cells, which is hardly seen "
+            "here but clear in the next plot.",
         .length = 8,
         .pixels = 384,
         .unit = "cells of the lowest octave"};

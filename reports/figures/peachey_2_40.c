@@ -55,8 +55,8 @@ static void claim_all(bl_run *run, bl_signal *const marble[4]) {
                   "boxes of 0.2 units, half a cell of the coarsest octave", "dB", 0, INFINITY,
                   bl_ratio_db(point, fade), "batches of boxes");
     bl_make_claim(run, "bandlimit",
-                  "A faded sum through a map of colours loses what the map makes of the octaves; "
-                  "an averaged map keeps it: the squared error of fade over that of map.",
+                  "A faded sum loses what the map of colours makes of the removed octaves; an "
+                  "averaged map keeps it: the squared error of fade over that of map.",
                   "boxes of 0.2 units", "dB", 0, INFINITY, bl_ratio_db(fade, map),
                   "batches of boxes");
     bl_make_claim(run, "peachey2003, Alternative Antialiasing Methods",

@@ -53,8 +53,8 @@ static void run_figure(bl_run *run) {
     const bl_pictures pictures = {
         .name = "wallpapers",
         .alternative =
-            "Orange stars strewn over blue paper; near by, parts of a star that end at a straight "
-            "line in the printed form, and a star cut in half in that of one cell.",
+            "Orange stars strewn over blue paper. Seen close, a star of the printed form ends at a "
+            "straight line, and one of the single-cell form is cut in half.",
         .shown = shown,
         .count = 6,
         .columns = 3,

@@ -33,8 +33,8 @@ static void run_figure(bl_run *run) {
     static const bl_curves plot = {
         .alternative =
             "A pulse that is 1 from 1/2 to 3/2, the two steps whose difference it is, and two "
-            "averages of it: a trapezium as high as the pulse for the width 1/2, and one half as "
-            "high for the width 2.",
+            "averages: for the width 1/2 a trapezium as high as the pulse, for the width 2 one "
+            "half as high.",
         .curves = curves,
         .count = 5,
         .x = {"x", -0.5, 2.5, 0.5, 0},
@@ -49,12 +49,11 @@ static void run_figure(bl_run *run) {
                     fmax(fabs(area(&gallery, NARROW) - 1), fabs(area(&gallery, WIDE) - 1)));
 }
 
-BL_FIGURE_DESCRIPTOR(peachey_2_9) = {
-    .name = "peachey-2.9",
-    .title = "Two steps used to make a pulse",
-    .question = "How do two steps make a pulse?",
-    .paper = "peachey2003, fig. 2.9",
-    .shows =
-        "A pulse, the two steps that it is the difference of, and its averages over a width that "
-        "is narrower than it, and over one that is wider.",
-    .run = run_figure};
+BL_FIGURE_DESCRIPTOR(peachey_2_9) = {.name = "peachey-2.9",
+                                     .title = "Two steps used to make a pulse",
+                                     .question = "How do two steps make a pulse?",
+                                     .paper = "peachey2003, fig. 2.9",
+                                     .shows =
+                                         "A pulse, the two steps whose difference it is, and its "
+                                         "averages over a narrower and over a wider width.",
+                                     .run = run_figure};

@@ -118,7 +118,7 @@ static void draw(bl_run *run, const errors *e) {
         run,
         &(bl_graph){
             .name = "errors",
-            .what = "largest error of the average of a pulse train, in dB of 1, and the law of it",
+            .what = "largest error of the average of a pulse train, in dB of 1, and its law",
             .x_name = "log2_of_distance",
             .x = e->distance,
             .points = EXPONENTS,

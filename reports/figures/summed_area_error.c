@@ -172,7 +172,8 @@ static void claim_laws(bl_run *run, const measured *m) {
                   "the exponent of the side.",
                   "single pixels", "", 1.9, 2.1, exponent(m, 0, ROUNDED), "images");
     bl_make_claim(run, "bandlimit",
-                  "... and its size is 2 c 2^-24 m N^2 / (3 a): the error over the law.",
+                  "The error of a table that is rounded to float is 2 c 2^-24 m N^2 / (3 a): the "
+                  "error over this law.",
                   bl_run_text(run, "single pixels, %s", largest), "", 0.7, 1.42,
                   ratio(m, 0, ROUNDED, -1), "images");
     bl_make_claim(run, "bandlimit",

@@ -100,8 +100,8 @@ static void claim_turned(bl_run *run, double ratio[2][ESTIMATORS][ANGLES]) {
                   "extent of the pixel.",
                   reading, "", 1 - 1e-9, INFINITY, bl_observed(least[0][SUM], ANGLES), "angles");
     bl_make_claim(run, section,
-                  "If it is in error, it makes the filter too wide: the largest ratio of it to the "
-                  "width that blurs as the pixel does.",
+                  "Its error makes the filter too wide: its largest ratio to the width that blurs "
+                  "as the pixel does.",
                   reading, "", sqrt(2) - 1e-3, sqrt(2) + 1e-3, bl_observed(most[1][SUM], ANGLES),
                   "angles");
     bl_make_claim(run, "bandlimit",
@@ -249,8 +249,8 @@ BL_FIGURE_DESCRIPTOR(width_estimators) = {
     .question = "How wide is a sample, and who says so?",
     .paper = "peachey2003, Determining the Sampling Rate",
     .shows =
-        "The width that four estimators give along one axis of a texture that is turned in the "
-        "plane of the image, over the extent of the pixel along this axis, and over the width of "
-        "the box that blurs as much as the pixel does. The extremes over views in perspective are "
-        "in views.csv.",
+        "Four estimators of the width along one axis of a texture that is turned in the plane of "
+        "the image. Each is divided by the extent of the pixel along this axis, and by the width "
+        "of the box that blurs as much as the pixel does. The extremes over views in perspective "
+        "are in views.csv.",
     .run = run_figure};
