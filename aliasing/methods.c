@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The list of all ways to sample, and the opening of one by its text.
+// The list of all methods of sampling, and the opening of one by its text.
 #include "aliasing/method.h"
 
 #include <stdint.h>

@@ -210,7 +210,7 @@ static void print_advice(FILE *out, const bl_signal *signal, const bl_view *view
     print_choice(out, advice, settings->tolerance, measure);
     fputs("\n", out);
     print_needs(out, &advice->needs, signal->dimensions);
-    fprintf(out, "\nreference: rms error below %.2g; %zu ways were measured\n",
+    fprintf(out, "\nreference: rms error below %.2g; %zu methods were measured\n",
             advice->alias.reference_error, advice->alias.count);
 }
 

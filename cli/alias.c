@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The verb `alias`: what each way of sampling leaves of a signal under a view.
+// The verb `alias`: what each method of sampling makes of a signal under a view.
 #include "aliasing/alias.h"
 
 #include <string.h>

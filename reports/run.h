@@ -86,9 +86,9 @@ void bl_run_csv(bl_run *run, const char *name, const char *what, const bl_column
 // them have limits (core/table.h).
 void bl_run_table(bl_run *run, const char *name, const char *what, const bl_table *table);
 
-// Writes NAME.gp and lets gnuplot make NAME.svg and NAME.png of it (and NAME.pdf on request). A plot
-// without a title answers the question of the figure. `alternative` says in words what it shows, for
-// those who cannot see it.
+// Writes NAME.gp and lets gnuplot make NAME.svg and NAME.png of it (and NAME.pdf on request). A
+// plot without a title answers the question of the figure. `alternative` says in words what it
+// shows, for those who cannot see it.
 void bl_run_plot(bl_run *run, const char *name, const bl_plot *plot, const char *alternative);
 
 // Writes NAME.exr with the values and NAME.png for the eye. The settings become attributes.

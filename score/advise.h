@@ -3,7 +3,7 @@
 // Advice: the cheapest way to sample a signal whose image under a view stays within a tolerance,
 // and what the scene does not need.
 //
-// A way is within the tolerance if the upper limit of its error is, and beyond it if the lower
+// A method is within the tolerance if the upper limit of its error is, and beyond it if the lower
 // limit is; between, the reference is not converged enough to tell. The error is the root mean
 // square of the luminance over the image, against the converged reference of a pixel, or the
 // largest over its pixels, whose limits are twice the standard error of the reference there.
@@ -32,7 +32,7 @@ typedef struct bl_scene_needs {
                                           // highest; 0 of any other signal
 } bl_scene_needs;
 
-// Where a way is furthest off.
+// Where a method is furthest off.
 typedef struct bl_worst_pixel {
     size_t x, y;
     double error; // signed, of the luminance

@@ -66,8 +66,8 @@ static void run_figure(bl_run *run) {
         {"clamp:low=1.5,high=0.5", "a = 3/2, b = 1/2: reversed", BL_INK_SECOND, BL_STROKE_DASHED}};
     static const bl_curves plot = {
         .alternative =
-            "A line of slope 1 between two level parts at 1/2 and 3/2, its average with rounded "
-            "bends, and the level line at 1/2 of the reversed limits.",
+            "A line of slope 1 between two level parts at 1/2 and 3/2; its average, whose bends "
+            "are round; and for reversed limits a level line at 1/2.",
         .curves = curves,
         .count = 3,
         .x = {"x", 0, 2, 0.5, 0},
@@ -89,7 +89,7 @@ BL_FIGURE_DESCRIPTOR(peachey_2_10) = {
     .question = "What does clamp do, and with reversed limits?",
     .paper = "peachey2003, fig. 2.10",
     .shows =
-        "clamp and its average. With limits in order the listings of clamp, min and max are made "
-        "of each other. With reversed limits the printed listing jumps at the first of them, and "
-        "is not what min and max make; here clamp is min(max(x, a), b) always.",
+        "clamp and its average. With limits in order, clamp is what min and max make. With "
+        "reversed limits the printed listing jumps at the first of them instead; here clamp is "
+        "always min(max(x, a), b).",
     .run = run_figure};

@@ -24,8 +24,8 @@ static void run_figure(bl_run *run) {
         {"sine", "sin(2 pi x)", BL_INK_FOURTH, BL_STROKE_DASHED}};
     static const bl_curves plot = {
         .alternative =
-            "A V with its point at 0, its average that is rounded there, a sine, and the row of "
-            "positive bumps that abs makes of the sine.",
+            "A V with its point at 0, its average, which is round there, a sine, and the row of "
+            "bumps that abs makes of the sine.",
         .curves = curves,
         .count = 4,
         .x = {"x", -2, 2, 0.5, 0},

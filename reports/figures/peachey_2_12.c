@@ -54,8 +54,8 @@ static void run_figure(bl_run *run) {
         {"clamp", "clamp(x, 0, 1)", BL_INK_FOURTH, BL_STROKE_DASHED}};
     static const bl_curves plot = {
         .alternative =
-            "An S from 0 to 1 that is level at both ends, its average, a little longer and less "
-            "steep, and the straight ramp between the same ends.",
+            "An S from 0 to 1 that is level at both ends; its average, which is a little longer "
+            "and less steep; and the straight ramp between the same ends.",
         .curves = curves,
         .count = 3,
         .x = {"x", -0.5, 1.5, 0.5, 0},

@@ -40,8 +40,8 @@ static void run_figure(bl_run *run) {
         {"sine:width=1/2", "sine averaged over 1/2", BL_INK_SECOND, BL_STROKE_DASHED}};
     static const bl_curves plot = {
         .alternative =
-            "A sine and a cosine, a quarter of a period apart, both from -1 to 1, and the sine "
-            "averaged over half a period, which is as smooth and lower.",
+            "A sine and a cosine from -1 to 1, a quarter of a period apart; and the sine averaged "
+            "over half a period, which is lower.",
         .curves = curves,
         .count = 3,
         .x = {"x, in periods", -1, 1, 0.25, 0},
@@ -75,6 +75,6 @@ BL_FIGURE_DESCRIPTOR(peachey_2_13) = {
     .question = "What do sine and cosine look like in cycles?",
     .paper = "peachey2003, fig. 2.13",
     .shows =
-        "Sine and cosine over their period, and the sine averaged over half of it. Cycles, not "
-        "radians: so whole periods can be taken off exactly, at any distance.",
+        "Sine and cosine over their period, and the sine averaged over half of it. Angles are in "
+        "cycles, not in radians, so that whole periods can be removed exactly at any distance.",
     .run = run_figure};

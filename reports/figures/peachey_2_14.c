@@ -59,7 +59,7 @@ static void claim_listings(bl_run *run, const bl_gallery *gallery) {
                   "at x = -1e-20, period 1", "periods", 5e-324, 1,
                   bl_exactly(1 - printed_mod(-1e-20, 1), 1), "places");
     bl_make_claim(run, "peachey2003, p. 33",
-                  "FLOOR(x) is floor(x), but for its type, at 3e9 too: the difference.",
+                  "FLOOR(x) is floor(x) in another type, at 3e9 too: the difference.",
                   "the conversion to int as usual processors do it", "", 0, 0,
                   bl_exactly(printed_floor(far) - floor(far), 1), "places");
     bl_make_claim(
@@ -78,14 +78,15 @@ static void run_figure(bl_run *run) {
         {"floor", "floor(x)", BL_INK_FOURTH, BL_STROKE_DASHED},
         {"mod:width=0.25", "mod averaged over 1/4", BL_INK_THEORY, BL_STROKE_THIN},
         {"mod:period=-1", "mod(x, -1)", BL_INK_SECOND, BL_STROKE_DASHED}};
-    static const bl_curves plot = {.alternative =
-                                       "A sawtooth that rises from 0 to 1 in each period, on both "
-                                       "sides of 0, its average with slanted falls, the stairs of "
-                                       "floor, and the sawtooth of a negative period from -1 to 0.",
-                                   .curves = curves,
-                                   .count = 4,
-                                   .x = {"x / a", -2, 2, 0.5, 0},
-                                   .y = {"value", -2.1, 1.1, 0.5, 0}};
+    static const bl_curves plot = {
+        .alternative =
+            "A sawtooth that rises from 0 to 1 in each period, on both sides of 0; its average, "
+            "whose falls are slanted; the stairs of floor; and the sawtooth of a negative period, "
+            "from -1 to 0.",
+        .curves = curves,
+        .count = 4,
+        .x = {"x / a", -2, 2, 0.5, 0},
+        .y = {"value", -2.1, 1.1, 0.5, 0}};
     const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 31",
                     "mod(x, a) / a has the amplitude 1: the most by which it leaves [0, 1).",
@@ -106,5 +107,5 @@ BL_FIGURE_DESCRIPTOR(peachey_2_14) = {
     .paper = "peachey2003, fig. 2.14",
     .shows =
         "The sawtooth, its average, and the stairs of floor. The text's listings of mod and floor "
-        "go through an int: the claims say where that fails.",
+        "convert to int: the claims say where that fails.",
     .run = run_figure};

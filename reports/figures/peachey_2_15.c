@@ -33,17 +33,17 @@ static void run_figure(bl_run *run) {
         {"pulse:low=0.4,high=0.6,width=1", "over 1", BL_INK_THIRD, BL_STROKE_DASHED}};
     static const bl_curves plot = {
         .alternative =
-            "One pulse from 0.4 to 0.6, the sawtooth of mod, and the row of pulses, one in each "
-            "period, that the two make. Averaged over 0.3 the pulses become trapezia two thirds as "
-            "high, over a whole period the level line 0.2.",
+            "A pulse from 0.4 to 0.6, the sawtooth of mod, and what they make together: a row of "
+            "pulses, one in each period. Averaged over 0.3, the pulses become trapezia two thirds "
+            "as high; over a whole period, the level line at 0.2.",
         .curves = curves,
         .count = 5,
         .x = {"x / a", -1, 3, 0.5, 0},
         .y = {"value", -0.1, 1.1, 0.5, 0}};
     const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 32",
-                    "A function of mod is periodic: the largest deviation of the periodic pulse "
-                    "from the pulse of mod.",
+                    "A function applied to mod is periodic: the largest deviation of the periodic "
+                    "pulse from the pulse applied to mod.",
                     "from -1 to 3", 0, bl_curves_largest(train_less_composition, &gallery, -1, 3));
     bl_make_claim(run, "bandlimit", "No width changes the mean of the pulses, 0.2.",
                   "averaged over 0.3 a, by 400 places over a period", "", 0.2 - 1e-12, 0.2 + 1e-12,
@@ -60,6 +60,6 @@ BL_FIGURE_DESCRIPTOR(peachey_2_15) = {
     .question = "How does mod make a function periodic?",
     .paper = "peachey2003, fig. 2.15",
     .shows =
-        "A pulse, the sawtooth of mod, the periodic pulse that the first makes of the second, and "
-        "its averages over 0.3 and over the whole of a period.",
+        "A pulse, the sawtooth of mod, the periodic pulse that comes of applying the first to the "
+        "second, and its averages over 0.3 and over a whole period.",
     .run = run_figure};

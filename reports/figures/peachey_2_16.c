@@ -62,8 +62,8 @@ static void run_figure(bl_run *run) {
         .limit_count = 4};
     const bl_gallery gallery = bl_curves_draw(run, &plot);
     bl_curves_claim(run, "peachey2003, p. 34",
-                    "The spline passes its knots, the second at 0 and the last but one at 1: the "
-                    "largest deviation.",
+                    "The spline passes through its knots, at 0 through the second and at 1 through "
+                    "the last but one: the largest deviation.",
                     "at the knots", 1e-15, missed_knots(&gallery));
     bl_curves_claim(run, "bandlimit",
                     "A spline through squares is a parabola: the largest deviation.", "from 0 to 1",
@@ -84,7 +84,7 @@ BL_FIGURE_DESCRIPTOR(peachey_2_16) = {
     .question = "How does a Catmull-Rom spline pass its knots?",
     .paper = "peachey2003, fig. 2.16",
     .shows =
-        "A spline of eight knots, of which the outer two only set the slopes at the ends; its "
-        "average over one span; and a spline through squares. The first derivative is continuous, "
-        "the second, as against the text, is not.",
+        "A spline of eight knots (the first and the last only set the slopes at the ends), its "
+        "average over one span, and a spline through squares. The first derivative is continuous; "
+        "the second is not, contrary to the text.",
     .run = run_figure};

@@ -43,7 +43,7 @@ static void claim_all(bl_run *run, const bl_signal *signal) {
     }
     bl_make_claim(run, "peachey2003, Splines and Mappings",
                   "The colours go from brown earth below to pale bluish white at the horizon: the "
-                  "altitude of the lightest colour, of which the horizon is 0.5.",
+                  "altitude of the lightest colour; the horizon is 0.5.",
                   "the lightest of 4097 altitudes", "of the altitudes", 0.49, 0.51,
                   bl_exactly(palest, STEPS + 1), "altitudes");
     bl_make_claim(run, "peachey2003, Splines and Mappings",
@@ -52,8 +52,8 @@ static void claim_all(bl_run *run, const bl_signal *signal) {
                   "luminance, 2049 altitudes from the horizon up", "of luminance", -INFINITY, 0,
                   bl_observed(rise, STEPS / 2), "altitudes");
     bl_make_claim(run, "bandlimit",
-                  "A Catmull-Rom spline undershoots: where brown earth meets the pale horizon, "
-                  "blue must be cut off at 0, in a part of all altitudes.",
+                  "A Catmull-Rom spline undershoots: blue must be cut off at 0 where brown earth "
+                  "meets the pale horizon. The share of all altitudes.",
                   "blue cut at 0, below the horizon", "of the altitudes", 0.001, 0.2,
                   bl_exactly((double)dark / (STEPS + 1), STEPS + 1), "altitudes");
 }
@@ -64,8 +64,8 @@ static void run_figure(bl_run *run) {
     const bl_pictures pictures = {.name = "reflection",
                                   .title = "What does a polished ball reflect?",
                                   .alternative =
-                                      "A ball, brown below, white at a line below its middle, and "
-                                      "blue above, darkest at the top of what it reflects.",
+                                      "A ball: brown below, white along a line below its middle, "
+                                      "and blue above, darkest at the top of what it reflects.",
                                   .shown = shown,
                                   .count = 1,
                                   .samples = 3,

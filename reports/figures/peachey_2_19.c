@@ -69,8 +69,8 @@ static void run_figure(bl_run *run) {
         .title = "How does bias move the middle?",
         .alternative =
             "Curves from (0, 0) to (1, 1) that pass b at x = 1/2, for b of 0.1, 0.3, 0.7 and 0.9, "
-            "each as a power and as Schlick's ratio, which run close together for 0.3 and 0.7 and "
-            "apart for 0.1 and 0.9.",
+            "each as a power and as Schlick's ratio. The two lie close together for 0.3 and 0.7, "
+            "and apart for 0.1 and 0.9.",
         .curves = curves,
         .count = 2 * VALUES,
         .x = {"x", 0, 1, 0.25, 0},

@@ -84,8 +84,8 @@ static void run_figure(bl_run *run) {
     const bl_pictures pictures = {
         .name = "bricks",
         .alternative =
-            "A brick wall, and the same at 32 by 32 pixels: by three filters, of which the exact "
-            "one keeps even joints, and by points, which lose most of them.",
+            "A brick wall, and the same at 32 by 32 pixels: filtered in three ways, where the "
+            "exact one keeps the joints even, and point sampled, which loses most of them.",
         .shown = shown,
         .at = {0.5, 0.5},
         .scale = 1,

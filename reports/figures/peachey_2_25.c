@@ -45,16 +45,16 @@ static void claim_all(bl_run *run, const bl_signal *bump, const bl_signal *slope
                   "light on the slopes", "of full light", 0.05, 1, bl_exactly(top - bottom, 400),
                   "places");
     bl_make_claim(run, "bandlimit",
-                  "Light is not linear in the slope: four slopes around a brick have less light "
-                  "together than the flat wall.",
+                  "Light is not linear in the slope: together, the four slopes around a brick are "
+                  "darker than the flat wall.",
                   "mean of the four slopes minus the flat wall", "of full light", -INFINITY, 0,
                   bl_exactly((left + right + top + bottom) / 4 - level, 800), "places");
     const double at[BL_AXES] = {0.1, 0.2}, far[BL_AXES] = {50, 50};
     const double all[BL_AXES] = {INFINITY, INFINITY, INFINITY, INFINITY};
     double mean = bl_signal_filtered(bump, at, all), averaged = bl_signal_filtered(slope, at, far);
     bl_make_claim(run, "peachey2003, Determining the Sampling Rate",
-                  "Filtering the height as wide as the colour is not enough for a bump: averaged "
-                  "slopes are flat from afar, and lighter than the wall by a part of its light.",
+                  "Averaging the height over the pixel is not enough for bumps: from afar averaged "
+                  "slopes are flat, and the wall gets too light, by this part of its light.",
                   "filter=slope at 50 units, over the mean", "of the mean", 0.001, 1,
                   bl_exactly(averaged / mean - 1, 65536), "places");
 }

@@ -116,6 +116,6 @@ BL_FIGURE_DESCRIPTOR(peachey_2_29) = {
     .question = "What can be made of samples again?",
     .paper = "peachey2003, fig. 2.29",
     .shows =
-        "A signal of four waves below half the sampling rate with its samples, joined by lines, "
-        "and rebuilt by a sinc at each sample, as the sampling theorem has it.",
+        "A signal of four waves below half the sampling rate: with its samples, with these joined "
+        "by lines, and rebuilt by a sinc at each sample, as the sampling theorem says.",
     .run = run_figure};

@@ -143,8 +143,8 @@ static void run_figure(bl_run *run) {
                   predicted(shown) - bin, predicted(shown) + bin, bl_observed(alias, SAMPLES),
                   "samples");
     bl_make_claim(run, "bandlimit",
-                  "So does any sine: the largest difference between the predicted and the measured "
-                  "frequency.",
+                  "This is true of any sine: the largest difference between the predicted and the "
+                  "measured frequency.",
                   "sines of 0 to 3 cycles per sample", "cycles per sample", 0, bin,
                   bl_observed(f.largest_miss, waves), "sines");
     bl_make_claim(
@@ -152,11 +152,12 @@ static void run_figure(bl_run *run) {
         "The frequencies that samples show do not exceed half the sampling rate: the highest.",
         "sines of 0 to 3 cycles per sample", "cycles per sample", 0, 0.5,
         bl_observed(f.highest, waves), "sines");
-    bl_make_claim(run, section,
-                  "The energy beyond does not disappear: the least mean square of samples over "
-                  "that of their sine.",
-                  "the same, but for those that fold to within 8 cycles of 0 or of half the rate",
-                  "", 0.95, 1.05, bl_observed(f.least_energy, waves), "sines");
+    bl_make_claim(
+        run, section,
+        "The energy beyond half the sampling rate does not disappear: the mean square of the "
+        "samples over that of their sine, the least of all sines.",
+        "the same, except for those that fold to within 8 cycles of 0 or of half the rate", "",
+        0.95, 1.05, bl_observed(f.least_energy, waves), "sines");
 }
 
 BL_FIGURE_DESCRIPTOR(peachey_2_30) = {

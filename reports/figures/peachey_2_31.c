@@ -10,7 +10,7 @@ static void draw_widths(bl_run *run, const double *place, const double *width) {
     const bl_line line = {"width_mortars", width, "point sampled", BL_INK_MEASURED,
                           BL_STROKE_POINTS};
     bl_wall_draw_widths(run, "level joints of the wall, point sampled", place, &line, 1,
-                        "Dots of twenty joints: some at 0, as if there were no mortar, the others "
+                        "Dots for twenty joints: some at 0, as if there were no mortar, the others "
                         "at one and a half.");
 }
 

@@ -81,8 +81,8 @@ static void claim_shape(bl_run *run) {
                   "difference to that line.",
                   "between a and b", "", 0, 1e-15, bl_exactly(line, STEPS + 1), "places");
     bl_make_claim(run, section,
-                  "When the entire filter is left of b, that is, x >= b, the value is 0: the "
-                  "lowest value from b on. (The condition is printed so; it should be x < a.)",
+                  "When the entire filter is left of b, that is, x >= b (as printed; it should be "
+                  "x < a), the value is 0: the lowest value from b on.",
                   "as printed", "", 0, 0, bl_exactly(lowest, STEPS + 1), "places");
     bl_make_claim(run, section,
                   "When the entire filter is left of b, the value is 0: the value just below a.",

@@ -113,10 +113,10 @@ static void draw(bl_run *run, const float *values, const bl_summed_area *table) 
                           .pixel = 1,
                           .scale_label = "value"};
     bl_run_plot(run, "geometry", &plot,
-                "Four grey pictures: an image of rings, dark but for the rectangle from the upper "
-                "left corner to s = 66, t = 60; the same, dark but for the box from 30, 24 to 66, "
-                "60; the table, which brightens steadily towards the lower right; and the image "
-                "averaged by boxes of 12 by 12 pixels, with the fine rings gone grey.");
+                "Four grey pictures: an image of rings, dark except for the rectangle from the "
+                "upper left corner to s = 66, t = 60; the same, dark except for the box from 30, "
+                "24 to 66, 60; the table, which brightens steadily towards the lower right; and "
+                "the image averaged by boxes of 12 by 12 pixels, with the fine rings gone grey.");
 }
 
 static void run_figure(bl_run *run) {
@@ -135,8 +135,7 @@ BL_FIGURE_DESCRIPTOR(peachey_2_33) = {
     .question = "How do four entries of a table give the sum over a box?",
     .paper = "peachey2003, fig. 2.33",
     .shows =
-        "What an entry of the table sums; what is left of four of them, of the box with the "
+        "The pixels that one entry of the table sums; the box that four entries leave, at its "
         "corners A (upper left), B, C and D (lower right); the table itself; and means over boxes "
-        "of 12 by 12 pixels that are read off it. The claims hold entries and boxes to sums of "
-        "pixels.",
+        "of 12 by 12 pixels, read off it. The claims hold entries and boxes to sums of pixels.",
     .run = run_figure};

@@ -14,8 +14,8 @@ static void draw_widths(bl_run *run, const double *place, double width[METHODS][
         {"point_mortars", width[POINT], "point sampled", BL_INK_THEORY, BL_STROKE_POINTS},
         {"integral_mortars", width[INTEGRAL], "box filtered", BL_INK_MEASURED, BL_STROKE_POINTS}};
     bl_wall_draw_widths(run, "level joints of the wall", place, lines, METHODS,
-                        "Dots of twenty joints: point sampled they jump between 0 and one and a "
-                        "half, box filtered all lie at 1.");
+                        "Dots for twenty joints. Point sampled, they jump between 0 and one and a "
+                        "half; box filtered, all lie at 1.");
 }
 
 static const bl_alias_result *measure(bl_run *run, const bl_wall *wall, const bl_view *view) {

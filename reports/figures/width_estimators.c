@@ -215,7 +215,7 @@ static void claim_views(bl_run *run) {
         // Derivatives at the middle of a pixel miss how they change within it.
         bl_make_claim(run, section,
                       "The sum of the absolute values is an upper bound: the least ratio of it to "
-                      "the extent of the pixel, but for a hundredth.",
+                      "the extent of the pixel, to within a hundredth.",
                       views[v], "", 0.99, INFINITY, bl_observed(r.least[SUM], r.count),
                       "pixels and axes");
         if (v == 0)

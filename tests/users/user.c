@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A program of a user's, C and C++ alike, that knows nothing but the installed files: it calls every
-// function of bandlimit.h once and says the first thing that is not as the header states. The only
-// word on the command line is a folder for its files.
+// A program of a user's, C and C++ alike, that knows nothing but the installed files: it calls
+// every function of bandlimit.h once and says the first thing that is not as the header states. The
+// only word on the command line is a folder for its files.
 #include <bandlimit.h>
 #include <bandlimit_plugin.h>
 
