@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/setting.h"
+
 #define BL_METHOD(stem) extern const bl_method_kind bl_method_##stem;
 #include "aliasing/methods.def"
 #undef BL_METHOD
@@ -49,8 +51,8 @@ static bl_status read_settings(const bl_method_kind *kind, const bl_spec *spec, 
 static bl_status read_signal(const bl_signal *signal, const char *word, bl_method *method,
                              bl_message *message) {
     if (word)
-        return bl_signal_with_choice(signal, bl_method_own_key(signal), word, &method->signal,
-                                     message);
+        return bl_signal_with_setting(signal, bl_method_own_key(signal), word, &method->signal,
+                                      message);
     method->borrowed = signal->functions->release && !signal->functions->build;
     // What is borrowed is only read: nobody writes through it.
     method->signal = method->borrowed ? (bl_signal *)(uintptr_t)signal : bl_signal_copy(signal);

@@ -7,6 +7,7 @@
 
 #include "aliasing/patterns.h"
 #include "aliasing/reference_cache.h"
+#include "core/setting.h"
 #include "core/grid.h"
 #include "core/hash.h"
 #include "core/statistics.h"
@@ -177,8 +178,8 @@ static bl_status try_exact(const bl_scene *scene, bl_pixel pixel, bl_reference *
         !is_along_axes(scene->view))
         return BL_OK;
     bl_signal *exact;
-    bl_status status = bl_signal_with_choice(scene->signal, bl_method_own_key(scene->signal),
-                                             "exact", &exact, message);
+    bl_status status = bl_signal_with_setting(scene->signal, bl_method_own_key(scene->signal),
+                                              "exact", &exact, message);
     if (status != BL_OK)
         return status;
     fill_exact(scene, exact, reference);

@@ -1,16 +1,39 @@
 // SPDX-License-Identifier: MIT
 //
 // What main and the verbs share: opening signals, threads, progress, verdict words.
+#include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/plain.h"
 #include "cli/verb.h"
-#include "core/grammar.h"
+#include "core/file.h"
 #include "core/grid.h"
 #include "sources/source.h"
+
+// Whether a file can be written there, asked before an hour of measuring. It is made and removed;
+// what is no plain file is never opened, as that may empty it or end what its reader reads.
+bl_status bl_output_check(const char *path, bl_message *message) {
+    struct stat own, target;
+    int exists = lstat(path, &own) == 0;
+    int folder = stat(path, &target) == 0 && S_ISDIR(target.st_mode);
+    if (strcmp(path, "-") == 0)
+        return BL_OK;
+    if (exists && !S_ISREG(own.st_mode) && !folder) {
+        if (access(path, W_OK) == 0 || errno == ENOENT) // a link to what is to be made
+            return BL_OK;
+        return bl_report(message, BL_DEVICE, "cannot write '%s': %s; check its permissions", path,
+                         strerror(errno));
+    }
+    bl_file file;
+    bl_status status = bl_file_create(path, &file, message);
+    if (status == BL_OK)
+        bl_file_discard(&file);
+    return status;
+}
 
 // Keeps a copy of a signal whose source may fail, to ask for its complaint when the verb is done
 // with the signal itself.
@@ -58,77 +81,14 @@ void bl_call_unwatch(bl_call *call) {
     call->watched_count = 0;
 }
 
-// The key that the noise of a signal takes its seed from.
-static const char *seed_key(const bl_signal *signal) {
-    const bl_noise *noise = bl_noise_find(signal->name, BL_ISA_BASELINE);
-    const bl_parameter *parameter = noise ? noise->parameters : NULL;
-    for (; parameter && parameter->key; parameter++)
-        if (parameter->kind == BL_SEED && parameter->offset == signal->seed_offset)
-            return parameter->key;
-    return NULL;
-}
-
-// Refuses a text that names another seed than --seed does.
-static bl_status check_seed(bl_call *call, const char *text, const char *key) {
-    bl_spec spec;
-    unsigned long long named;
-    bl_status status = bl_spec_parse(text, &spec, &call->message);
-    if (status != BL_OK)
-        return status;
-    for (size_t i = 0; i < spec.count; i++)
-        if (strcmp(spec.settings[i].key, key) == 0 &&
-            bl_read_unsigned(spec.settings[i].value, &named) && named != call->common.seed)
-            status = bl_report(&call->message, BL_USAGE,
-                               "--seed %s and %s=%s in '%s' contradict each other; leave one of "
-                               "them out",
-                               call->common.seed_word, key, spec.settings[i].value, text);
-    bl_spec_free(&spec);
-    return status;
-}
-
-// The canonical text of the signal lacks a seed that is the default, and those are refused above
-// that differ; so whatever seed it has is the right one.
-static bl_status open_with_seed(bl_call *call, const char *key, bl_signal **signal) {
-    const char *text = (*signal)->text;
-    char setting[64], *seeded = NULL;
-    snprintf(setting, sizeof setting, "%s=", key);
-    const char *after = strchr(text, ':');
-    if (after && strstr(after, setting))
-        return BL_OK;
-    if (asprintf(&seeded, "%s%c%s%llu", text, after ? ',' : ':', setting,
-                 (unsigned long long)call->common.seed) < 0)
-        return bl_report(&call->message, BL_DEVICE, "out of memory");
-    bl_signal_free(*signal);
-    *signal = NULL;
-    bl_status status = bl_call_open(call, seeded, signal);
-    free(seeded);
-    return status;
-}
-
 bl_status bl_call_open_seeded(bl_call *call, bl_signal **signal) {
     const char *text = call->operands.words[0];
     *signal = NULL;
-    if (call->common.seed_word && bl_source_is_file(text)) {
-        bl_status seeded =
-            bl_source_open_seeded(text, call->common.seed, call->isa, signal, &call->message);
-        return seeded == BL_OK ? watch(call, signal) : seeded;
-    }
-    bl_status status = bl_call_open(call, text, signal);
-    if (status != BL_OK || !call->common.seed_word)
-        return status;
-    const char *key = seed_key(*signal);
-    if (!key)
-        status =
-            bl_report(&call->message, BL_MISMATCH, "--seed: '%s' has no seed; leave it out", text);
-    if (status == BL_OK)
-        status = check_seed(call, text, key);
-    if (status == BL_OK)
-        status = open_with_seed(call, key, signal);
-    if (status != BL_OK) {
-        bl_signal_free(*signal);
-        *signal = NULL;
-    }
-    return status;
+    if (!call->common.seed_word)
+        return bl_call_open(call, text, signal);
+    bl_status status =
+        bl_source_open_seeded(text, call->common.seed, call->isa, signal, &call->message);
+    return status == BL_OK ? watch(call, signal) : status;
 }
 
 int bl_call_threads(const bl_call *call) {

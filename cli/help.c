@@ -89,13 +89,13 @@ static void print_verb(FILE *out, const bl_verb *verb) {
         print_option(out, option, help_of(option, verb));
 }
 
-static void print_program(FILE *out) {
+static void print_program(FILE *out, const bl_registry *verbs) {
     fputs(
         "usage: bandlimit VERB [words] [options]\n\n"
         "Measures procedural noise: spectra, histograms, band limits, cost.\n\nverbs:\n",
         out);
-    for (size_t i = 0; i < bl_verb_count(); i++) {
-        const bl_verb *verb = bl_verb_at(i);
+    for (size_t i = 0; i < verbs->count; i++) {
+        const bl_verb *verb = bl_registry_at(verbs, i);
         fprintf(out, "  %-11s", verb->name);
         print_filled(out, verb->summary, 13, 13);
     }
@@ -115,11 +115,11 @@ static void print_program(FILE *out) {
         out);
 }
 
-void bl_help_print(FILE *out, const bl_verb *verb) {
+void bl_help_print(FILE *out, const bl_registry *verbs, const bl_verb *verb) {
     if (verb)
         print_verb(out, verb);
     else
-        print_program(out);
+        print_program(out, verbs);
 }
 
 static json_t *options_json(const bl_option *options, const bl_verb *verb) {
@@ -155,18 +155,19 @@ static json_t *verb_json(const bl_verb *verb) {
 }
 
 static bl_status run_help(bl_call *call) {
-    const bl_verb *verb = call->operands.count ? bl_verb_find(call->operands.words[0]) : NULL;
-    if (call->operands.count && !verb)
-        return bl_verb_report_unknown(call->operands.words[0], &call->message);
+    const char *word = call->operands.count ? call->operands.words[0] : NULL;
+    const bl_verb *verb = word ? bl_registry_find(call->verbs, word) : NULL;
+    if (word && !verb)
+        return bl_registry_report(call->verbs, word, NULL, &call->message);
     json_t *object = bl_json_start(call);
     if (!object) {
-        bl_help_print(call->out, verb);
+        bl_help_print(call->out, call->verbs, verb);
         return BL_OK;
     }
     json_t *verbs = json_array();
-    for (size_t i = 0; i < bl_verb_count(); i++)
-        if (!verb || verb == bl_verb_at(i))
-            json_array_append_new(verbs, verb_json(bl_verb_at(i)));
+    for (size_t i = 0; i < call->verbs->count; i++)
+        if (!verb || verb == bl_registry_at(call->verbs, i))
+            json_array_append_new(verbs, verb_json(bl_registry_at(call->verbs, i)));
     json_object_set_new(object, "verbs", verbs);
     json_object_set_new(object, "common_options", options_json(bl_common_options, verb));
     return BL_OK;

@@ -2,20 +2,22 @@
 //
 // bandlimit: a laboratory for procedural noise. This file reads the command line, runs one verb,
 // and sees to it that what was printed arrived and that the exit status says what happened.
+#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli/json.h"
 #include "core/plain.h"
+#include "cli/registries.h"
 #include "cli/verb.h"
 #include "core/file.h"
 #include "core/grammar.h"
 #include "core/interrupt.h"
+#include "sources/source.h"
 
 // Whether a reader that goes away ends the program silently, as it does other filters.
 static int pipe_signal_is_default;
@@ -130,27 +132,6 @@ static bl_status settle_standard_output(bl_call *call) {
     return BL_OK;
 }
 
-// Whether a file can be written there, asked before an hour of measuring. It is made and removed;
-// what is no plain file is never opened, as that may empty it or end what its reader reads.
-bl_status bl_output_check(const char *path, bl_message *message) {
-    struct stat own, target;
-    int exists = lstat(path, &own) == 0;
-    int folder = stat(path, &target) == 0 && S_ISDIR(target.st_mode);
-    if (strcmp(path, "-") == 0)
-        return BL_OK;
-    if (exists && !S_ISREG(own.st_mode) && !folder) {
-        if (access(path, W_OK) == 0 || errno == ENOENT) // a link to what is to be made
-            return BL_OK;
-        return bl_report(message, BL_DEVICE, "cannot write '%s': %s; check its permissions", path,
-                         strerror(errno));
-    }
-    bl_file file;
-    bl_status status = bl_file_create(path, &file, message);
-    if (status == BL_OK)
-        bl_file_discard(&file);
-    return status;
-}
-
 // Runs the verb with its report going to stdout or to the file of -o.
 static bl_status run_verb(bl_call *call) {
     const char *path = call->common.output;
@@ -184,17 +165,45 @@ static bl_status run_verb(bl_call *call) {
     return written == BL_OK ? status : written;
 }
 
+// A user who types the name of a thing for a verb wants it shown. The name is written as it should
+// be in `name`.
+static const char *kind_of(const bl_call *call, const char *word, char *name, size_t size) {
+    const bl_source *source = bl_source_of(word);
+    bl_spec spec;
+    const char *kind = NULL;
+    snprintf(name, size, "%s", word);
+    if (source)
+        return source->kind;
+    for (char *letter = name; *letter && *letter != ':'; letter++)
+        *letter = (char)tolower((unsigned char)*letter);
+    if (bl_spec_parse(name, &spec, NULL) != BL_OK)
+        return NULL;
+    for (const bl_registry *const *registry = call->registries; *registry; registry++)
+        if (!kind && *registry != call->verbs && bl_registry_find(*registry, spec.name))
+            kind = (*registry)->kind;
+    bl_spec_free(&spec);
+    return kind;
+}
+
+static bl_status report_unknown(bl_call *call, const char *word) {
+    char name[512];
+    const char *kind = kind_of(call, word, name, sizeof name);
+    return kind ? bl_report(&call->message, BL_USAGE,
+                            "'%s' is a %s and no verb: try `bandlimit show %s`", name, kind, name)
+                : bl_registry_report(call->verbs, word, NULL, &call->message);
+}
+
 // The verb: the first word that is no option, or what --help and --version stand for.
 static bl_status find_verb(bl_call *call, int count, char **words, int *position) {
     const char *name = call->common.help ? "help" : call->common.version ? "version" : NULL;
     if (!name && *position == count) {
-        bl_help_print(stderr, NULL);
+        bl_help_print(stderr, call->verbs, NULL);
         return bl_report(&call->message, BL_USAGE, "no verb given");
     }
     if (!name)
         name = words[(*position)++];
     call->verb = bl_verb_find(name);
-    return call->verb ? BL_OK : bl_verb_report_unknown(name, &call->message);
+    return call->verb ? BL_OK : report_unknown(call, name);
 }
 
 // `VERB --help` is `help VERB`.
@@ -255,7 +264,10 @@ int main(int count, char **words) {
     occupy_standard_streams();
     ignore_broken_pipes();
     bl_interrupt_install();
-    bl_call call = {.argument_count = count > 0 ? count - 1 : 0, .arguments = words + 1};
+    bl_call call = {.verbs = &bl_verbs,
+                    .registries = bl_registries,
+                    .argument_count = count > 0 ? count - 1 : 0,
+                    .arguments = words + 1};
     bl_status status = run_words(&call, count, words);
     int failed = is_error(&call, status);
     if (failed && asks_for_json(count, words))

@@ -6,16 +6,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "aliasing/method.h"
 #include "aliasing/view.h"
 #include "cli/json.h"
 #include "core/plain.h"
 #include "cli/show_filter.h"
 #include "cli/verb.h"
-#include "cli/words.h"
 #include "core/continuity.h"
 #include "core/grammar.h"
 #include "filters/primitive.h"
 #include "reports/figure.h"
+#include "score/score.h"
+#include "score/trade.h"
 #include "sources/source.h"
 #include "textures/texture.h"
 
@@ -156,21 +158,134 @@ static void print_facts(FILE *out, const bl_signal *signal) {
                                                 : "no closed form");
 }
 
-// The registry that a definition stands in.
-static const char *kind_of(const bl_definition *definition) {
-    return bl_texture_find(definition->name)     ? "texture"
-           : bl_primitive_find(definition->name) ? "primitive"
-                                                 : "noise";
+// --- what each kind has besides its head --------------------------------------------------------
+
+enum { LINES_MOST = 2 };
+
+typedef struct details {
+    const char *summary_key; // in JSON
+    struct {
+        const char *key, *text;
+    } lines[LINES_MOST];
+    const bl_parameter *parameters;
+    char example[256]; // a command
+} details;
+
+static void tell_example(details *d, const char *format, const char *name) {
+    snprintf(d->example, sizeof d->example, format, name);
 }
 
-static bl_status show_definition(bl_call *call, const bl_definition *definition, const char *text) {
+// A subject that has the choice.
+static void tell_trade(details *d, const bl_call *call, const bl_trade *trade) {
+    static const char *const subjects[] = {"spectrum",   "gnoise", "vnoise", "vcnoise", "scnoise",
+                                           "fractalsum", "bias",   "step",   "brick",   NULL};
+    for (const char *const *subject = subjects; *subject && !*d->example; subject++) {
+        bl_signal *signal = NULL;
+        if (subject != subjects && bl_source_open(*subject, call->isa, &signal, NULL) != BL_OK)
+            continue;
+        if (trade->applies(signal, signal ? NULL : *subject))
+            snprintf(d->example, sizeof d->example, "bandlimit trade %s --trade %s", *subject,
+                     trade->name);
+        bl_signal_free(signal);
+    }
+    d->lines[0].key = "error";
+    d->lines[0].text = trade->error_name;
+    d->lines[1].key = "sample";
+    d->lines[1].text = trade->sample;
+}
+
+static details details_of(const bl_call *call, const bl_registry *registry, const void *thing) {
+    const char *name = ((const bl_entry *)thing)->name;
+    details d = {.summary_key = "summary"};
+    if (registry == &bl_noises) {
+        tell_example(&d, "bandlimit spectrum %s", name);
+    } else if (registry == &bl_primitives) {
+        tell_example(&d, "bandlimit eval %s 0.5", name);
+    } else if (registry == &bl_textures) {
+        tell_example(&d, "bandlimit alias %s -o out", name);
+    } else if (registry == &bl_filters) {
+        tell_example(&d, "bandlimit show %s --plot filter.svg", name);
+    } else if (registry == &bl_views) {
+        const bl_view_kind *view = thing;
+        d.lines[0].key = "formula";
+        d.lines[0].text = view->formula;
+        d.parameters = view->parameters;
+        tell_example(&d, "bandlimit alias brick --view %s", name);
+    } else if (registry == &bl_methods) {
+        d.parameters = ((const bl_method_kind *)thing)->parameters;
+        tell_example(&d, "bandlimit alias brick --method %s", name);
+    } else if (registry == &bl_sources) {
+        const bl_source *source = thing;
+        d.lines[0].key = "form";
+        d.lines[0].text = source->form;
+        d.parameters = source->parameters;
+        tell_example(&d, "bandlimit spectrum '%s'", source->example);
+    } else if (registry == &bl_trades) {
+        d.summary_key = "question";
+        tell_trade(&d, call, thing);
+    } else if (registry == &bl_properties) {
+        d.summary_key = "question";
+        d.lines[0].key = "entry";
+        d.lines[0].text = ((const bl_property *)thing)->entry;
+        tell_example(&d, "bandlimit score gnoise --only %s", name);
+    } else if (registry == &bl_figures) {
+        d.summary_key = "question";
+        d.lines[0].key = "shows";
+        d.lines[0].text = ((const bl_figure *)thing)->shows;
+        tell_example(&d, "bandlimit reproduce %s", name);
+    } else {
+        tell_example(&d, "bandlimit help %s", name);
+    }
+    return d;
+}
+
+// --- showing ------------------------------------------------------------------------------------
+
+static void print_example(FILE *out, const details *d) {
+    fprintf(out, "example      %s\n", d->example);
+}
+
+// What stands in a registry and is no signal.
+static bl_status show_entry(bl_call *call, const bl_registry *registry, const void *thing) {
+    const bl_entry *entry = thing;
+    details d = details_of(call, registry, thing);
+    const char *paper = entry->paper ? entry->paper : "bandlimit"; // our own
+    json_t *object = bl_json_start(call);
+    if (object) {
+        bl_json_set_text(object, "kind", registry->kind);
+        bl_json_set_text(object, "name", entry->name);
+        bl_json_set_text(object, "title", entry->title);
+        bl_json_set_text(object, d.summary_key, entry->summary);
+        for (int i = 0; i < LINES_MOST && d.lines[i].key; i++)
+            bl_json_set_text(object, d.lines[i].key, d.lines[i].text);
+        bl_json_set_text(object, "paper", paper);
+        bl_json_set_text(object, "example", d.example);
+        if (d.parameters)
+            json_object_set_new(object, "parameters", parameters_json(d.parameters));
+        return BL_OK;
+    }
+    fprintf(call->out, "%s: %s\n", entry->name, entry->title);
+    if (entry->summary)
+        fprintf(call->out, "\n%s\n", entry->summary);
+    for (int i = 0; i < LINES_MOST && d.lines[i].key; i++)
+        fprintf(call->out, "\n%s\n  %s\n", d.lines[i].key, d.lines[i].text);
+    fprintf(call->out, "\nsource       %s\n", paper);
+    print_example(call->out, &d);
+    if (d.parameters && d.parameters->key)
+        print_parameters(call->out, d.parameters);
+    return BL_OK;
+}
+
+static bl_status show_definition(bl_call *call, const bl_registry *registry, const char *text) {
     bl_signal *signal;
     bl_status status = bl_source_open(text, call->isa, &signal, &call->message);
     if (status != BL_OK)
         return status;
+    const bl_definition *definition = signal->definition;
+    details d = details_of(call, registry, definition);
     json_t *object = bl_json_start(call);
     if (object) {
-        bl_json_set_text(object, "kind", kind_of(definition));
+        bl_json_set_text(object, "kind", registry->kind);
         bl_json_set_text(object, "name", definition->name);
         bl_json_set_text(object, "signal", signal->text);
         bl_json_set_text(object, "title", definition->title);
@@ -178,6 +293,7 @@ static bl_status show_definition(bl_call *call, const bl_definition *definition,
         bl_json_set_text(object, "formula", definition->formula);
         bl_json_set_text(object, "paper", definition->paper);
         bl_json_set_count(object, "dimensions", signal->dimensions);
+        bl_json_set_text(object, "example", d.example);
         json_object_set_new(object, "parameters", parameters_json(definition->parameters));
         facts_json(object, signal);
     } else {
@@ -185,6 +301,7 @@ static bl_status show_definition(bl_call *call, const bl_definition *definition,
                 definition->summary, definition->formula);
         fprintf(call->out, "\nsource       %s\ndimensions   %u\n", definition->paper,
                 signal->dimensions);
+        print_example(call->out, &d);
         print_parameters(call->out, definition->parameters);
         print_facts(call->out, signal);
     }
@@ -192,52 +309,10 @@ static bl_status show_definition(bl_call *call, const bl_definition *definition,
     return BL_OK;
 }
 
-static bl_status show_view(bl_call *call, const bl_view_kind *view) {
-    json_t *object = bl_json_start(call);
-    if (object) {
-        bl_json_set_text(object, "kind", "view");
-        bl_json_set_text(object, "name", view->name);
-        bl_json_set_text(object, "title", view->title);
-        bl_json_set_text(object, "summary", view->summary);
-        bl_json_set_text(object, "formula", view->formula);
-        json_object_set_new(object, "parameters", parameters_json(view->parameters));
-        return BL_OK;
-    }
-    fprintf(call->out, "%s: %s\n\n%s\n\nformula\n  %s\n", view->name, view->title, view->summary,
-            view->formula);
-    print_parameters(call->out, view->parameters);
-    return BL_OK;
-}
-
-static bl_status show_figure(bl_call *call, const bl_figure *figure) {
-    json_t *object = bl_json_start(call);
-    if (object) {
-        bl_json_set_text(object, "kind", "figure");
-        bl_json_set_text(object, "name", figure->name);
-        bl_json_set_text(object, "title", figure->title);
-        bl_json_set_text(object, "question", figure->question);
-        bl_json_set_text(object, "paper", figure->paper);
-        bl_json_set_text(object, "shows", figure->shows);
-        return BL_OK;
-    }
-    fprintf(call->out,
-            "%s: %s\n\nquestion  %s\nsource    %s\n\n%s\n\nto make it: bandlimit "
-            "reproduce %s\n",
-            figure->name, figure->title, figure->question, figure->paper, figure->shows,
-            figure->name);
-    return BL_OK;
-}
-
-// What a source is called; indexed by its kind.
-static const char *const source_words[] = {"noise", "file", "file", "function", "program"};
-static const char *const source_titles[] = {"a noise", "a file of samples", "a file of samples",
-                                            "a function of a shared object", "a program"};
-
-static void print_source(FILE *out, bl_source_kind kind, const bl_signal *signal) {
-    int sampled = kind == BL_SOURCE_IMAGE || kind == BL_SOURCE_RAW;
+static void print_source(FILE *out, const bl_source *source, const bl_signal *signal) {
     bl_plain_text(out, signal->text);
-    fprintf(out, ": %s\n\ndimensions   %u\n", source_titles[kind], signal->dimensions);
-    if (!sampled)
+    fprintf(out, ": %s\n\ndimensions   %u\n", source->title, signal->dimensions);
+    if (!source->sampled)
         fprintf(out, "seed         %s\n",
                 signal->seed_offset == SIZE_MAX ? "none: {seed} stands nowhere in the words"
                                                 : "it can be reseeded");
@@ -245,12 +320,11 @@ static void print_source(FILE *out, bl_source_kind kind, const bl_signal *signal
         fprintf(out, "axis %c       %zu sample%s, %g unit%s between them\n", "xyzw"[a],
                 signal -> extent.size[a], bl_plural(signal->extent.size[a]),
                 signal->extent.spacing[a], signal->extent.spacing[a] == 1 ? "" : "s");
-    if (!sampled || !isnan(signal->facts.period[0]))
+    if (!source->sampled || !isnan(signal->facts.period[0]))
         print_facts(out, signal);
 }
 
-static bl_status show_file(bl_call *call, const char *text) {
-    bl_source_kind kind = bl_source_kind_of(text);
+static bl_status show_source(bl_call *call, const bl_source *source, const char *text) {
     bl_signal *signal;
     bl_status status = bl_call_open(call, text, &signal);
     if (status != BL_OK)
@@ -260,60 +334,59 @@ static bl_status show_file(bl_call *call, const char *text) {
         json_t *size = json_array();
         for (unsigned a = 0; a < signal->dimensions; a++)
             json_array_append_new(size, json_integer((json_int_t)signal->extent.size[a]));
-        bl_json_set_text(object, "kind", source_words[kind]);
+        bl_json_set_text(object, "kind", source->kind);
         bl_json_set_text(object, "signal", signal->text);
         bl_json_set_count(object, "dimensions", signal->dimensions);
         json_object_set_new(object, "size", size);
         bl_json_set_numbers(object, "spacing_units", signal->extent.spacing, signal->dimensions);
         facts_json(object, signal);
     } else {
-        print_source(call->out, kind, signal);
+        print_source(call->out, source, signal);
     }
     bl_signal_free(signal);
     return BL_OK;
 }
 
 static bl_status report_unknown(bl_call *call, const char *name) {
-    size_t definitions = 0, count = 0;
-    while (bl_source_definition_at(definitions))
-        definitions++;
-    const char **names = calloc(
-        definitions + bl_filter_count() + bl_view_count() + bl_figure_count() + 1, sizeof *names);
-    if (!names)
-        return bl_report(&call->message, BL_DEVICE, "out of memory");
-    for (size_t i = 0; i < definitions; i++)
-        names[count++] = bl_source_definition_at(i)->name;
-    for (size_t i = 0; i < bl_filter_count(); i++)
-        names[count++] = bl_filter_at(i)->name;
-    for (size_t i = 0; i < bl_view_count(); i++)
-        names[count++] = bl_view_at(i)->name;
-    for (size_t i = 0; i < bl_figure_count(); i++)
-        names[count++] = bl_figure_at(i)->name;
-    const char *near = bl_suggest(name, names);
-    free(names);
-    return bl_report(&call->message, BL_USAGE,
-                     "no noise, primitive, filter, texture, view, figure or file is called "
-                     "'%s'%s%s%s`bandlimit list` shows all",
-                     name, near ? "; did you mean '" : "", near ? near : "", near ? "'? " : "; ");
+    const bl_unknown unknown = {.what = "name",
+                                .word = name,
+                                .registries = call->registries,
+                                .all = "`bandlimit list` shows all"};
+    return bl_report_unknown(&unknown, &call->message);
 }
 
 typedef struct show_settings {
     const char *plot;
 } show_settings;
 
-// A name may be that of a primitive and of a filter, as smoothstep; `filter:smoothstep` is the
-// filter, and so is what is to be plotted.
-static const bl_filter *filter_meant(const char *text, const char *plot) {
-    static const char prefix[] = "filter:";
-    if (strncmp(text, prefix, sizeof prefix - 1) == 0)
-        return bl_filter_find(text + sizeof prefix - 1);
-    return plot ? bl_filter_find(text) : NULL;
+static int takes_settings(const bl_registry *registry) {
+    return registry == &bl_noises || registry == &bl_primitives || registry == &bl_textures;
+}
+
+static bl_status show_thing(bl_call *call, const bl_registry *registry, const void *thing) {
+    return registry == &bl_filters ? bl_show_filter(call, thing, NULL)
+                                   : show_entry(call, registry, thing);
+}
+
+static bl_status show_named(bl_call *call, const bl_spec *spec, const char *text) {
+    for (const bl_registry *const *registry = call->registries; *registry; registry++) {
+        if (!bl_registry_find(*registry, spec->name))
+            continue;
+        return takes_settings(*registry)
+                   ? show_definition(call, *registry, text)
+                   : bl_report(&call->message, BL_USAGE,
+                               "'%s': a %s is shown without settings, as `bandlimit show %s`", text,
+                               (*registry)->kind, spec->name);
+    }
+    return report_unknown(call, spec->name);
 }
 
 static bl_status run_show(bl_call *call) {
     const show_settings *settings = call->settings;
     const char *text = call->operands.words[0];
-    const bl_filter *filter = filter_meant(text, settings->plot);
+    const bl_source *source = bl_source_of(text);
+    const bl_filter *filter = settings->plot ? bl_filter_find(text) : NULL;
+    bl_spec spec;
     if (filter)
         return bl_show_filter(call, filter, settings->plot);
     if (settings->plot)
@@ -321,26 +394,16 @@ static bl_status run_show(bl_call *call) {
                          "--plot draws filters, and '%s' is none; `bandlimit list filters` shows "
                          "them, `render` and `spectrum` draw signals",
                          text);
-    const bl_figure *figure = bl_figure_find(text);
-    if (figure)
-        return show_figure(call, figure);
-    bl_spec spec;
-    if (bl_source_is_file(text))
-        return show_file(call, text);
+    // A figure's name may hold a dot, as that of a file does, and a folder may be called as a verb.
+    for (const bl_registry *const *registry = call->registries; *registry; registry++)
+        if (!takes_settings(*registry) && bl_registry_find(*registry, text))
+            return show_thing(call, *registry, bl_registry_find(*registry, text));
+    if (source)
+        return show_source(call, source, text);
     bl_status status = bl_spec_parse(text, &spec, &call->message);
     if (status != BL_OK)
         return status;
-    const bl_definition *definition = bl_source_definition(spec.name, call->isa);
-    const bl_view_kind *view = bl_view_find(spec.name);
-    filter = bl_filter_find(spec.name);
-    if (definition)
-        status = show_definition(call, definition, text);
-    else if (filter && !spec.count)
-        status = bl_show_filter(call, filter, NULL);
-    else if (view && !spec.count)
-        status = show_view(call, view);
-    else
-        status = report_unknown(call, spec.name);
+    status = show_named(call, &spec, text);
     bl_spec_free(&spec);
     return status;
 }
@@ -358,10 +421,9 @@ const bl_verb bl_verb_show = {
     .operands = "NAME",
     .summary = "definition, parameters, facts, source",
     .text =
-        "NAME is a noise, primitive or texture, with or without settings (the facts are those for "
-        "the settings), a filter (filter:NAME where a primitive has that name too), a view, a "
-        "figure, a file, a function ./lib.so:NAME, or a program "
-        "cmd:PROGRAM.",
+        "NAME is anything that `bandlimit list` shows. A noise, primitive or texture may have "
+        "settings (the facts are those for the settings). It may also be a file, a function "
+        "./lib.so:NAME, or a program cmd:PROGRAM.",
     .least = 1,
     .most = 1,
     .output_help = "write the text to PATH instead of stdout",

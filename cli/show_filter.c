@@ -56,7 +56,10 @@ static void filter_json(json_t *object, const bl_filter *filter, const bl_filter
     bl_json_set_text(object, "title", filter->title);
     bl_json_set_text(object, "summary", filter->summary);
     bl_json_set_text(object, "formula", filter->formula);
+    char example[96];
+    snprintf(example, sizeof example, "bandlimit show %s --plot filter.svg", filter->name);
     bl_json_set_text(object, "paper", filter->paper);
+    bl_json_set_text(object, "example", example);
     bl_json_set_number(object, "support_widths", filter->support);
     bl_json_set_text(object, "continuity",
                      bl_continuity_text(filter->continuity, class, sizeof class));
@@ -70,7 +73,8 @@ static void print_head(FILE *out, const bl_filter *filter) {
     char class[16];
     fprintf(out, "%s: %s\n\n%s\n\nkernel       %s\n", filter->name, filter->title, filter->summary,
             filter->formula);
-    fprintf(out, "source       %s\n", filter->paper);
+    fprintf(out, "source       %s\nexample      bandlimit show %s --plot filter.svg\n",
+            filter->paper, filter->name);
     if (isfinite(filter->support))
         fprintf(out, "support      %g widths to both sides\n", filter->support);
     else

@@ -12,6 +12,7 @@
 #include <stdio.h>
 
 #include "cli/option.h"
+#include "core/registry.h"
 #include "core/signal.h"
 #include "core/size.h"
 #include "core/verdict.h"
@@ -32,7 +33,9 @@ typedef struct bl_common {
 
 typedef struct bl_call {
     const bl_verb *verb;
-    int argument_count; // as typed, for JSON
+    const bl_registry *verbs;
+    const bl_registry *const *registries; // all of them, ended by NULL (cli/registries.h)
+    int argument_count;                   // as typed, for JSON
     char **arguments;
     bl_common common;
     void *settings;    // the verb's own block
@@ -56,11 +59,9 @@ typedef enum bl_output {
 } bl_output;
 
 struct bl_verb {
-    const char *name;
-    const char *operands; // as in the usage line: "SIGNAL [X [Y [Z [W]]]]"
-    const char *summary;  // one line
-    const char *text;     // the paragraphs of its help
-    unsigned least, most; // operands
+    BL_ENTRY(summary, text); // the summary is one line, the text the paragraphs of its help
+    const char *operands;    // as in the usage line: "SIGNAL [X [Y [Z [W]]]]"
+    unsigned least, most;    // operands
     bl_output output;
     const char *output_help;
     int takes_every_isa;      // --isa all
@@ -73,14 +74,11 @@ struct bl_verb {
 extern const bl_option bl_common_options[];
 extern const bl_option bl_no_options[];
 
-size_t bl_verb_count(void);
-const bl_verb *bl_verb_at(size_t index);
-const bl_verb *bl_verb_find(const char *name);
-// "unknown verb ...", with the nearest one.
-bl_status bl_verb_report_unknown(const char *name, bl_message *message);
+// The list, for the program and not for verbs, which have call->registries.
+BL_REGISTRY(bl_verb, bl_verb, bl_verbs)
 
 // Writes the usage line, the text and the options of a verb, or with NULL those of the program.
-void bl_help_print(FILE *out, const bl_verb *verb);
+void bl_help_print(FILE *out, const bl_registry *verbs, const bl_verb *verb);
 
 // Whether a file can be written at `path` ('-': standard output); nothing is changed there.
 bl_status bl_output_check(const char *path, bl_message *message);

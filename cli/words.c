@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "cli/words.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/grammar.h"
-#include "core/registry.h"
 
 double bl_signal_far(const bl_signal *signal) {
     // From 2^52 on a double has no fraction, whatever the signal does with it.
     return signal->facts.far > 0 ? fmin(signal->facts.far, 0x1p52) : 0x1p52;
-}
-
-const char *bl_suggest(const char *word, const char *const *candidates) {
-    char small[64] = "";
-    if (strlen(word) >= sizeof small)
-        return bl_nearest(word, candidates);
-    for (size_t i = 0; word[i]; i++)
-        small[i] = (char)tolower((unsigned char)word[i]);
-    return bl_nearest(small, candidates);
 }
 
 bl_status bl_read_coordinate(const char *word, double far, const char *where, double *out,

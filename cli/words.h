@@ -23,10 +23,6 @@ bl_status bl_read_axis(const char *option, const char *text, double out[3], bl_m
 bl_status bl_read_range(const char *option, const char *text, int open, double *from, double *to,
                         bl_message *message);
 
-// The candidate nearest to a word in any case of its letters, as bl_nearest; the candidates are in
-// small letters.
-const char *bl_suggest(const char *word, const char *const *candidates);
-
 // The coordinate beyond which a signal has lost the fraction: what it states, at most 2^52.
 double bl_signal_far(const bl_signal *signal);
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 #
-# Completion of bandlimit for bash. Names of noises and figures come from the program itself; the
-# test t-cli-help compares the lists of verbs and options with it.
+# Completion of bandlimit for bash. All names come from the program itself; the tests
+# t-cli-help and t-registries hold the options and the kinds to it.
 
 _bandlimit_names() {
     "${COMP_WORDS[0]}" list "$1" --names 2>/dev/null
@@ -14,7 +14,7 @@ _bandlimit_keys() {
 
 _bandlimit() {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
-    local verbs="list show eval render spectrum histogram check score compare alias trade advise reproduce bench help version"
+    local verbs=$(_bandlimit_names verbs)
     local common="--json -o --output --seed --threads --quick --full --isa -q --quiet -h --help
         --version"
     local spectral="--dims --axis --rate --size --average --window --place --level"
@@ -42,8 +42,7 @@ _bandlimit() {
     --only | --skip)
         prefix=""
         [[ $current == *,* ]] && prefix=${current%,*},
-        COMPREPLY=($(compgen -P "$prefix" -W "repeatable range band period stationarity isotropy
-            continuity seeds far gradient cost" -- "${current##*,}"))
+        COMPREPLY=($(compgen -P "$prefix" -W "$(_bandlimit_names properties)" -- "${current##*,}"))
         ;;
     --view) COMPREPLY=($(compgen -W "$(_bandlimit_names views)" -- "$current")) ;;
     --method | --filter) COMPREPLY=($(compgen -W "all $(_bandlimit_names methods)" -- "$current")) ;;
@@ -76,7 +75,7 @@ _bandlimit() {
 
     for ((i = 1; i < COMP_CWORD; i++)); do
         word=${COMP_WORDS[i]}
-        if [[ $word != -* && " $verbs " == *" $word "* ]]; then
+        if [[ $word != -* && " "$verbs" " == *[[:space:]]"$word"[[:space:]]* ]]; then
             verb=$word
             break
         fi
@@ -85,11 +84,11 @@ _bandlimit() {
     "") words=$verbs ;;
     list)
         options="--names"
-        words="noises primitives filters textures views methods trades figures"
+        words="noises primitives filters textures sources views methods trades properties figures verbs"
         ;;
     show)
         options="--plot"
-        words="$(_bandlimit_names noises) $(_bandlimit_names filters) $(_bandlimit_names figures)"
+        words=$("${COMP_WORDS[0]}" list --names 2>/dev/null)
         files=yes
         ;;
     eval)

@@ -4,6 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+const bl_parameter *bl_definition_seed(const bl_definition *definition) {
+    for (const bl_parameter *p = definition->parameters; p->key; p++)
+        if (p->kind == BL_SEED)
+            return p;
+    return NULL;
+}
+
 // Makes the signal of a block that was read.
 static bl_status make_signal(const bl_definition *definition, const void *block, bl_opener *open,
                              bl_signal **signal, bl_message *message) {
@@ -19,9 +26,9 @@ static bl_status make_signal(const bl_definition *definition, const void *block,
     if (status != BL_OK)
         return status;
     made->definition = definition;
-    for (const bl_parameter *p = definition->parameters; p->key; p++)
-        if (p->kind == BL_SEED)
-            made->seed_offset = p->offset;
+    const bl_parameter *seed = bl_definition_seed(definition);
+    if (seed)
+        made->seed_offset = seed->offset;
     made->dimensions = definition->dimensions_of ? definition->dimensions_of(made->parameters)
                                                  : definition->dimensions;
     made->name = definition->name;
@@ -60,29 +67,6 @@ static const bl_parameter *find_choice(const bl_signal *signal, const char *key)
 const char *const *bl_signal_choices(const bl_signal *signal, const char *key) {
     const bl_parameter *parameter = find_choice(signal, key);
     return parameter ? parameter->choices : NULL;
-}
-
-bl_status bl_signal_with_choice(const bl_signal *signal, const char *key, const char *word,
-                                bl_signal **copy, bl_message *message) {
-    const bl_parameter *parameter = find_choice(signal, key);
-    if (!parameter)
-        return bl_report(message, BL_USAGE, "'%s' has no choice '%s'", signal->text, key);
-    uint32_t index = 0;
-    while (parameter->choices[index] && strcmp(parameter->choices[index], word) != 0)
-        index++;
-    if (!parameter->choices[index])
-        return bl_report(message, BL_USAGE, "'%s': %s has no choice '%s'", signal->text, key, word);
-    const bl_definition *definition = signal->definition;
-    void *block = malloc(definition->parameters_size);
-    if (!block)
-        return bl_report(message, BL_DEVICE, "out of memory opening '%s'", signal->text);
-    memcpy(block, signal->parameters, definition->parameters_size);
-    memcpy((char *)block + parameter->offset, &index, sizeof index);
-    bl_status status = definition->validate ? definition->validate(block, message) : BL_OK;
-    if (status == BL_OK)
-        status = make_signal(definition, block, signal->open, copy, message);
-    free(block);
-    return status;
 }
 
 double bl_signal_own_width(const bl_signal *signal) {

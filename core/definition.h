@@ -50,14 +50,12 @@ typedef struct bl_definition {
 bl_status bl_definition_open(const bl_definition *definition, const bl_spec *spec, const char *text,
                              bl_opener *open, bl_signal **signal, bl_message *message);
 
+// The key of the kind BL_SEED; NULL for a definition without a seed.
+const bl_parameter *bl_definition_seed(const bl_definition *definition);
+
 // The words of a choice among the keys of a signal, ended by NULL; NULL for a signal without a
 // definition, or without such a key. The words live as long as the program.
 const char *const *bl_signal_choices(const bl_signal *signal, const char *key);
-
-// A copy of the signal with another word of a choice: the same brick under another filter. Errors:
-// BL_USAGE if the signal has no such key or the key no such word, BL_DEVICE out of memory.
-bl_status bl_signal_with_choice(const bl_signal *signal, const char *key, const char *word,
-                                bl_signal **copy, bl_message *message);
 
 // The width of a sample that the signal's own key `width` sets for its values; 0 without such a
 // key.

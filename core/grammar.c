@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -133,5 +134,62 @@ bl_status bl_spec_parse(const char *text, bl_spec *spec, bl_message *message) {
     }
     if (status != BL_OK)
         bl_spec_free(spec);
+    return status;
+}
+
+const char *bl_spec_get(const bl_spec *spec, const char *key) {
+    for (size_t i = 0; i < spec->count; i++)
+        if (strcmp(spec->settings[i].key, key) == 0)
+            return spec->settings[i].value;
+    return NULL;
+}
+
+bl_status bl_spec_set(bl_spec *spec, const char *key, const char *value, bl_message *message) {
+    size_t place = 0;
+    while (place < spec->count && strcmp(spec->settings[place].key, key) != 0)
+        place++;
+    bl_setting *more = place < spec->count
+                           ? spec->settings
+                           : realloc(spec->settings, (spec->count + 1) * sizeof *more);
+    char *copy = strdup(value), *name = place < spec->count ? NULL : strdup(key);
+    if (more)
+        spec->settings = more;
+    if (!more || !copy || (place == spec->count && !name)) {
+        free(copy);
+        free(name);
+        return bl_report(message, BL_DEVICE, "out of memory setting '%s'", key);
+    }
+    if (place == spec->count)
+        spec->settings[spec->count++] = (bl_setting){.key = name};
+    free(spec->settings[place].value);
+    spec->settings[place].value = copy;
+    return BL_OK;
+}
+
+char *bl_spec_text(const bl_spec *spec) {
+    char *text = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&text, &size);
+    if (!stream)
+        return NULL;
+    fputs(spec->name, stream);
+    for (size_t i = 0; i < spec->count; i++)
+        fprintf(stream, "%c%s=%s", i ? ',' : ':', spec->settings[i].key, spec->settings[i].value);
+    if (fclose(stream) == 0)
+        return text;
+    free(text);
+    return NULL;
+}
+
+bl_status bl_text_set(const char *text, const char *key, const char *value, char **changed,
+                      bl_message *message) {
+    bl_spec spec;
+    bl_status status = bl_spec_parse(text, &spec, message);
+    if (status != BL_OK)
+        return status;
+    status = bl_spec_set(&spec, key, value, message);
+    if (status == BL_OK && !(*changed = bl_spec_text(&spec)))
+        status = bl_report(message, BL_DEVICE, "out of memory setting '%s'", key);
+    bl_spec_free(&spec);
     return status;
 }

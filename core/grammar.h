@@ -30,6 +30,20 @@ typedef struct bl_spec {
 bl_status bl_spec_parse(const char *text, bl_spec *spec, bl_message *message);
 void bl_spec_free(bl_spec *spec);
 
+// The value of a key, dotted for that of a signal within (basis.basis.fade); NULL if not set.
+const char *bl_spec_get(const bl_spec *spec, const char *key);
+// Sets a key to a value, in its place or at the end; the columns are then those of no text. Errors:
+// BL_DEVICE out of memory.
+bl_status bl_spec_set(bl_spec *spec, const char *key, const char *value, bl_message *message);
+// The text of a spec, which the caller frees; NULL if out of memory.
+char *bl_spec_text(const bl_spec *spec);
+
+// The text with key=value in it, which the caller frees: what all changes of settings are made by.
+// The signal that is opened by it has the canonical text. Errors: BL_USAGE for a text that cannot
+// be read, BL_DEVICE out of memory.
+bl_status bl_text_set(const char *text, const char *key, const char *value, char **changed,
+                      bl_message *message);
+
 // The kinds of value a parameter takes, and the C type that stands at its offset.
 typedef enum bl_parameter_kind {
     BL_SEED,    // uint64_t, decimal or 0x hexadecimal

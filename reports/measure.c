@@ -24,11 +24,6 @@ bl_signal *bl_run_seeded_signal(bl_run *run, const char *text) {
     if (signal->seed_offset == SIZE_MAX || strstr(text, "seed="))
         return signal;
     bl_run_release(run, signal);
-    if (!bl_source_is_file(text))
-        return bl_run_signal(run,
-                             bl_run_text(run, "%s%cseed=%llu", text, strchr(text, ':') ? ',' : ':',
-                                         (unsigned long long)settings->seed));
-    // A program has its seed elsewhere.
     bl_run_must(run, bl_source_open_seeded(text, settings->seed, settings->isa, &seeded,
                                            bl_run_message(run)));
     return bl_run_keep(run, seeded, release_signal);

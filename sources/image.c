@@ -11,7 +11,7 @@
 #include "core/grammar.h"
 #include "core/image.h"
 #include "core/registry.h"
-#include "sources/source_kinds.h"
+#include "sources/kind.h"
 #include "sources/grid_parameters.h"
 
 // The settings of an image, as the grammar reads them. Indices may be left out: -1.
@@ -212,7 +212,7 @@ static bl_status open_image(const char *text, const char *path, const char *chan
     return BL_OK;
 }
 
-bl_status bl_image_text_open(const char *text, bl_signal **signal, bl_message *message) {
+static bl_status open_text(const char *text, bl_signal **signal, bl_message *message) {
     static const image_settings usual = {.part = -1, .memory = 1024};
     bl_status code = refuse_code(text, message);
     if (code != BL_OK)
@@ -238,3 +238,26 @@ bl_status bl_image_text_open(const char *text, bl_signal **signal, bl_message *m
     bl_spec_free(&spec);
     return status;
 }
+
+// A picture stands at the end of the list, and takes whatever looks like a file.
+static int takes(const char *text) {
+    size_t length = strcspn(text, ":");
+    char *name = strndup(text, length);
+    int is_file = bl_source_is_whole_file(text) ||
+                  (name && (strpbrk(name, "./") || (length > 0 && access(name, F_OK) == 0)));
+    free(name);
+    return is_file;
+}
+
+BL_SOURCE_DESCRIPTOR(image) = {
+    .name = "image-file",
+    .title = "a file of samples",
+    .summary = "One channel of an image of any format that OpenImageIO reads; also channel=NAME.",
+    .paper = "bandlimit",
+    .kind = "file",
+    .form = "FILE:KEY=VALUE",
+    .example = "grain.exr:spacing=0.0625,channel=R",
+    .parameters = image_parameters,
+    .sampled = 1,
+    .takes = takes,
+    .open = open_text};

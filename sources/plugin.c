@@ -19,7 +19,7 @@
 #include "sources/crash.h"
 #include "sources/plugin_claims.h"
 #include "sources/shared_object.h"
-#include "sources/source_kinds.h"
+#include "sources/kind.h"
 
 enum { DEFAULT_DIMS = 3 };
 
@@ -319,7 +319,7 @@ static bl_status make_signal(plugin_source *plugin, plugin_block *block, bl_sign
     return status;
 }
 
-bl_status bl_plugin_open(const char *text, bl_signal **signal, bl_message *message) {
+static bl_status open_text(const char *text, bl_signal **signal, bl_message *message) {
     const char *colon = strchr(text, ':');
     size_t length = colon ? strcspn(colon + 1, ",") : 0;
     if (length == 0)
@@ -357,3 +357,20 @@ bl_status bl_plugin_open(const char *text, bl_signal **signal, bl_message *messa
     drop(opened); // the signal has its own share
     return status;
 }
+
+static int takes(const char *text) {
+    return !bl_source_is_whole_file(text) && bl_source_is_shared_object(text, strcspn(text, ":"));
+}
+
+BL_SOURCE_DESCRIPTOR(plugin) = {
+    .name = "function",
+    .title = "a function of a shared object",
+    .summary = "A noise of the user's own, as bandlimit_plugin.h declares it, with its claims.",
+    .paper = "bandlimit",
+    .kind = "function",
+    .form = "./FILE.so:FUNCTION,KEY=VALUE",
+    .example = "./mine.so:noise,seed=3",
+    .parameters = plugin_parameters,
+    .takes = takes,
+    .open = open_text,
+    .seed_place = strlen};

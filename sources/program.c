@@ -27,7 +27,7 @@
 #include "core/grammar.h"
 #include "sources/child.h"
 #include "sources/command.h"
-#include "sources/source_kinds.h"
+#include "sources/kind.h"
 
 enum { BATCH = 4096, DEFAULT_DIMS = 3, MOST_CHILDREN = 64 };
 
@@ -407,7 +407,7 @@ static bl_status read_command(const char *text, const char *command, const progr
     return status;
 }
 
-bl_status bl_program_open(const char *text, bl_signal **signal, bl_message *message) {
+static bl_status open_text(const char *text, bl_signal **signal, bl_message *message) {
     size_t head = strcspn(text, ":"); // cmd, or cmd,key=value
     const char *settings = text[3] == ',' ? text + 4 : NULL;
     program_block block = {0};
@@ -430,3 +430,26 @@ bl_status bl_program_open(const char *text, bl_signal **signal, bl_message *mess
     drop(opened); // the signal has its own share
     return status;
 }
+
+static int takes(const char *text) {
+    return strncmp(text, "cmd:", 4) == 0 || (strncmp(text, "cmd,", 4) == 0 && strchr(text, ':'));
+}
+
+static size_t seed_place(const char *text) {
+    size_t head = strcspn(text, ":");
+    return strstr(text + head, "{seed}") ? head : 0;
+}
+
+BL_SOURCE_DESCRIPTOR(program) = {
+    .name = "program",
+    .title = "a program",
+    .summary = "A program that reads points and answers with values, in doubles on its pipes.",
+    .paper = "bandlimit",
+    .kind = "program",
+    .form = "cmd,KEY=VALUE:PROGRAM WORDS",
+    .example = "cmd:./mine.py --seed {seed}",
+    .parameters = program_parameters,
+    .takes = takes,
+    .open = open_text,
+    .seed_place = seed_place,
+    .seed_hint = ", or let {seed} stand where the program takes it"};

@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "core/grammar.h"
-#include "sources/source_kinds.h"
+#include "sources/kind.h"
 #include "sources/grid_parameters.h"
 
 enum { FLOAT32, UINT8, UINT16 };
@@ -223,7 +223,7 @@ static bl_status read_file(const char *path, const raw_settings *settings, raw_b
     return status;
 }
 
-bl_status bl_raw_open(const char *text, bl_signal **signal, bl_message *message) {
+static bl_status open_text(const char *text, bl_signal **signal, bl_message *message) {
     const char *colon = strchr(text, ':');
     raw_settings settings = {0};
     raw_block block = {.grid = {.span = raw_span}};
@@ -257,3 +257,20 @@ bl_status bl_raw_open(const char *text, bl_signal **signal, bl_message *message)
     *signal = made;
     return BL_OK;
 }
+
+static int takes(const char *text) {
+    return !bl_source_is_whole_file(text) && bl_source_ends_with(text, strcspn(text, ":"), ".raw");
+}
+
+BL_SOURCE_DESCRIPTOR(raw) = {
+    .name = "raw-file",
+    .title = "a file of samples",
+    .summary = "Bare samples, x fastest, little-endian; the settings account for every byte.",
+    .paper = "bandlimit",
+    .kind = "file",
+    .form = "FILE.raw:size=WxHxD,KEY=VALUE",
+    .example = "volume.raw:size=128x128x128,wrap=periodic",
+    .parameters = raw_parameters,
+    .sampled = 1,
+    .takes = takes,
+    .open = open_text};

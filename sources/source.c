@@ -3,157 +3,26 @@
 // From the text of a signal to the one who opens it.
 #include "sources/source.h"
 
-#include <ctype.h>
-#include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "core/grammar.h"
 #include "filters/primitive.h"
-#include "sources/source_kinds.h"
 #include "textures/texture.h"
 
-int bl_source_ends_with(const char *text, size_t length, const char *ending) {
-    size_t tail = strlen(ending);
-    return length > tail && strncmp(text + length - tail, ending, tail) == 0;
+const bl_source *bl_source_of(const char *text) {
+    for (size_t i = 0; i < bl_source_count(); i++)
+        if (bl_source_at(i)->takes(text))
+            return bl_source_at(i);
+    return NULL;
 }
-
-// lib.so, and lib.so.1.2
-static int is_shared_object(const char *text, size_t length) {
-    while (length > 0 && (isdigit((unsigned char)text[length - 1]) ||
-                          (text[length - 1] == '.' && isdigit((unsigned char)text[length]))))
-        length--;
-    return bl_source_ends_with(text, length, ".so") || bl_source_ends_with(text, length, ".so.");
-}
-
-bl_source_kind bl_source_kind_of(const char *text) {
-    size_t length = strcspn(text, ":");
-    if (strncmp(text, "cmd:", 4) == 0 || (strncmp(text, "cmd,", 4) == 0 && text[length]))
-        return BL_SOURCE_PROGRAM;
-    if (*text && access(text, F_OK) == 0 && !is_shared_object(text, strlen(text)) &&
-        !bl_source_ends_with(text, strlen(text), ".raw"))
-        return BL_SOURCE_IMAGE; // a file whose own name may hold a colon
-    if (is_shared_object(text, length))
-        return BL_SOURCE_PLUGIN;
-    if (bl_source_ends_with(text, length, ".raw"))
-        return BL_SOURCE_RAW;
-    char *name = strndup(text, length);
-    if (!name)
-        return BL_SOURCE_DEFINITION;
-    int is_file = strpbrk(name, "./") != NULL || (length > 0 && access(name, F_OK) == 0);
-    free(name);
-    return is_file ? BL_SOURCE_IMAGE : BL_SOURCE_DEFINITION;
-}
-
-int bl_source_is_file(const char *text) {
-    return bl_source_kind_of(text) != BL_SOURCE_DEFINITION;
-}
-
-int bl_source_in_range(const double *at, unsigned dims) {
-    for (unsigned a = 0; a < dims; a++)
-        if (!(fabs(at[a]) <= 0x1p62))
-            return 0;
-    return 1;
-}
-
-// The grammar wants a name and a colon: what stands before the settings becomes one, of the same
-// length.
-bl_status bl_source_settings(const bl_parameter *parameters, const char *text, const char *settings,
-                             size_t length, void *block, bl_message *message) {
-    size_t before = settings ? (size_t)(settings - text) : strcspn(text, ":");
-    char *plain = strndup(text, settings ? before + length : before), *quoted;
-    bl_spec spec;
-    if (!plain)
-        return bl_report(message, BL_DEVICE, "out of memory reading '%s'", text);
-    for (size_t i = 0; i < before; i++)
-        plain[i] = plain[i] == ':' ? '_' : plain[i];
-    if (settings)
-        plain[before - 1] = ':';
-    bl_status status = bl_spec_parse(plain, &spec, message);
-    if (status != BL_OK && message && (quoted = strstr(message->text, plain)))
-        memcpy(quoted, text, strlen(plain)); // the words of the user
-    free(plain);
-    if (status != BL_OK)
-        return status;
-    status = bl_parameters_read(parameters, &spec, text, block, message);
-    bl_spec_free(&spec);
-    return status;
-}
-
-// The text with another seed in it, which the caller frees; NULL if out of memory. In a program's
-// text the settings end at the colon, in a plugin's at its end.
-static char *with_seed(const char *text, bl_source_kind kind, uint64_t seed) {
-    size_t head = kind == BL_SOURCE_PROGRAM ? strcspn(text, ":") : strlen(text);
-    char *seeded = NULL;
-    int length = asprintf(&seeded, "%.*s,seed=%llu%s", (int)head, text, (unsigned long long)seed,
-                          text + head);
-    return length < 0 ? NULL : seeded;
-}
-
-// The seed that the settings of the text name; false if they name none.
-static int named_seed(const char *text, bl_source_kind kind, unsigned long long *seed) {
-    size_t head = kind == BL_SOURCE_PROGRAM ? strcspn(text, ":") : strlen(text);
-    char *settings = strndup(text, head), *rest = NULL;
-    int found = 0;
-    for (char *word = settings ? strtok_r(settings, ",", &rest) : NULL; word;
-         word = strtok_r(NULL, ",", &rest))
-        if (strncmp(word, "seed=", 5) == 0 && bl_read_unsigned(word + 5, seed))
-            found = 1;
-    free(settings);
-    return found;
-}
-
-bl_status bl_source_open_seeded(const char *text, uint64_t seed, bl_isa isa, bl_signal **signal,
-                                bl_message *message) {
-    bl_source_kind kind = bl_source_kind_of(text);
-    unsigned long long named = seed;
-    if (kind != BL_SOURCE_PLUGIN &&
-        !(kind == BL_SOURCE_PROGRAM && strstr(text + strcspn(text, ":"), "{seed}")))
-        return bl_report(
-            message, BL_MISMATCH, "--seed: '%s' has no seed; leave it out%s", text,
-            kind == BL_SOURCE_PROGRAM ? ", or let {seed} stand where the program takes it" : "");
-    if (named_seed(text, kind, &named))
-        return named == seed ? bl_source_open(text, isa, signal, message)
-                             : bl_report(message, BL_USAGE,
-                                         "--seed %llu and seed=%llu in '%s' contradict each other; "
-                                         "leave one of them out",
-                                         (unsigned long long)seed, named, text);
-    char *seeded = with_seed(text, kind, seed);
-    if (!seeded)
-        return bl_report(message, BL_DEVICE, "out of memory");
-    bl_status status = bl_source_open(seeded, isa, signal, message);
-    free(seeded);
-    return status;
-}
-
-static const bl_definition *noise_at(size_t index) {
-    return bl_noise_at(index, BL_ISA_BASELINE);
-}
-
-static const struct {
-    size_t (*count)(void);
-    const bl_definition *(*at)(size_t index);
-} registries[] = {{bl_noise_count, noise_at},
-                  {bl_primitive_count, bl_primitive_at},
-                  {bl_texture_count, bl_texture_at}};
 
 const bl_definition *bl_source_definition(const char *name, bl_isa isa) {
     const bl_definition *found = bl_noise_find(name, isa);
     if (!found)
         found = bl_primitive_find(name);
     return found ? found : bl_texture_find(name);
-}
-
-const bl_definition *bl_source_definition_at(size_t index) {
-    for (size_t i = 0; i < sizeof registries / sizeof *registries; i++) {
-        if (index < registries[i].count())
-            return registries[i].at(index);
-        index -= registries[i].count();
-    }
-    return NULL;
 }
 
 static bl_status report_unknown(const char *name, bl_message *message) {
@@ -181,17 +50,77 @@ static bl_status open_definition(const char *text, bl_isa isa, bl_signal **signa
 }
 
 bl_status bl_source_open(const char *text, bl_isa isa, bl_signal **signal, bl_message *message) {
-    switch (bl_source_kind_of(text)) {
-    case BL_SOURCE_DEFINITION:
-        break;
-    case BL_SOURCE_IMAGE:
-        return bl_image_text_open(text, signal, message);
-    case BL_SOURCE_RAW:
-        return bl_raw_open(text, signal, message);
-    case BL_SOURCE_PLUGIN:
-        return bl_plugin_open(text, signal, message);
-    case BL_SOURCE_PROGRAM:
-        return bl_program_open(text, signal, message);
+    const bl_source *source = bl_source_of(text);
+    return source ? source->open(text, signal, message)
+                  : open_definition(text, isa, signal, message);
+}
+
+// --- seeds --------------------------------------------------------------------------------------
+
+static bl_status report_contradiction(const char *text, const char *key, const char *value,
+                                      uint64_t seed, bl_message *message) {
+    return bl_report(message, BL_USAGE,
+                     "--seed %llu and %s=%s in '%s' contradict each other; leave one of them out",
+                     (unsigned long long)seed, key, value, text);
+}
+
+// The settings of a source stand in the midst of its text, where no comma of theirs is quoted.
+static bl_status seed_source(const bl_source *source, const char *text, uint64_t seed,
+                             char **seeded, bl_message *message) {
+    size_t head = source->seed_place ? source->seed_place(text) : 0;
+    unsigned long long named;
+    if (!head)
+        return bl_report(message, BL_MISMATCH, "--seed: '%s' has no seed; leave it out%s", text,
+                         source->seed_hint ? source->seed_hint : "");
+    for (const char *word = text; (word = strstr(word, ",seed=")) && word < text + head; word++) {
+        char value[32];
+        snprintf(value, sizeof value, "%.*s", (int)strcspn(word + 6, ",:"), word + 6);
+        if (!bl_read_unsigned(value, &named))
+            continue; // its opening says so
+        *seeded = strdup(text);
+        if (named != seed)
+            return report_contradiction(text, "seed", value, seed, message);
+        return *seeded ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
     }
-    return open_definition(text, isa, signal, message);
+    int length = asprintf(seeded, "%.*s,seed=%llu%s", (int)head, text, (unsigned long long)seed,
+                          text + head);
+    return length < 0 ? bl_report(message, BL_DEVICE, "out of memory") : BL_OK;
+}
+
+static bl_status seed_definition(const char *text, uint64_t seed, bl_isa isa, char **seeded,
+                                 bl_message *message) {
+    bl_spec spec;
+    unsigned long long named;
+    char value[32];
+    bl_status status = bl_spec_parse(text, &spec, message);
+    if (status != BL_OK)
+        return status;
+    const bl_definition *definition = bl_source_definition(spec.name, isa);
+    const bl_parameter *parameter = definition ? bl_definition_seed(definition) : NULL;
+    const char *word = parameter ? bl_spec_get(&spec, parameter->key) : NULL;
+    snprintf(value, sizeof value, "%llu", (unsigned long long)seed);
+    if (!definition)
+        status = report_unknown(spec.name, message);
+    else if (!parameter)
+        status = bl_report(message, BL_MISMATCH, "--seed: '%s' has no seed; leave it out", text);
+    else if (word && bl_read_unsigned(word, &named) && named != seed)
+        status = report_contradiction(text, parameter->key, word, seed, message);
+    else if (word) // the same, or what its opening refuses
+        status = (*seeded = strdup(text)) ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
+    else
+        status = bl_text_set(text, parameter->key, value, seeded, message);
+    bl_spec_free(&spec);
+    return status;
+}
+
+bl_status bl_source_open_seeded(const char *text, uint64_t seed, bl_isa isa, bl_signal **signal,
+                                bl_message *message) {
+    const bl_source *source = bl_source_of(text);
+    char *seeded = NULL;
+    bl_status status = source ? seed_source(source, text, seed, &seeded, message)
+                              : seed_definition(text, seed, isa, &seeded, message);
+    if (status == BL_OK)
+        status = bl_source_open(seeded, isa, signal, message);
+    free(seeded);
+    return status;
 }

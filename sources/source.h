@@ -51,6 +51,7 @@
 
 #include "core/signal.h"
 #include "noises/noise.h"
+#include "sources/kind.h"
 
 // Opens a signal; the caller frees it with bl_signal_free. Errors, each with a message:
 // BL_USAGE for an unknown name, key, channel or function, a value out of range, and claims that
@@ -60,28 +61,16 @@
 // and so is reading the signal.
 bl_status bl_source_open(const char *text, bl_isa isa, bl_signal **signal, bl_message *message);
 
-// The same with a seed, as a part of the signal's text, for a function or a program. Errors
+// The same with a seed, as a part of the signal's text: the value of its key of the kind seed. Errors
 // besides: BL_MISMATCH for a signal without a seed, BL_USAGE if the text names another.
 bl_status bl_source_open_seeded(const char *text, uint64_t seed, bl_isa isa, bl_signal **signal,
                                 bl_message *message);
 
-// What a text names, by the rule above.
-typedef enum bl_source_kind {
-    BL_SOURCE_DEFINITION,
-    BL_SOURCE_IMAGE,
-    BL_SOURCE_RAW,
-    BL_SOURCE_PLUGIN,
-    BL_SOURCE_PROGRAM
-} bl_source_kind;
-
-bl_source_kind bl_source_kind_of(const char *text);
+// The source that a text names, by the rule above; NULL for a definition.
+BL_REGISTRY(bl_source, bl_source, bl_sources)
+const bl_source *bl_source_of(const char *text);
 
 // The definition of a noise, primitive or texture by name; NULL for an unknown one.
 const bl_definition *bl_source_definition(const char *name, bl_isa isa);
-// All of them in order, noises first; NULL past the end.
-const bl_definition *bl_source_definition_at(size_t index);
-
-// Whether the text names anything but a definition.
-int bl_source_is_file(const char *text);
 
 #endif

@@ -140,7 +140,7 @@ static void test_a_name_typed_as_a_verb_is_shown_the_way(void **state) {
     EXPECT(64, "`bandlimit show gnoise`", "gnoise");
     EXPECT(64, "`bandlimit show gnoise:seed=3`", "GNOISE:seed=3");
     EXPECT(64, "did you mean 'spectrum'?", "SPECTRUM");
-    EXPECT(64, "--bits 12", "render", "gnoise", "--bits", "12", "-o", "/tmp/never.png");
+    EXPECT(64, "'--bits 12'", "render", "gnoise", "--bits", "12", "-o", "/tmp/never.png");
 }
 
 static void test_the_autocorrelation_starts_with_the_variance(void **state) {

@@ -223,10 +223,10 @@ static void test_a_noise_is_not_taken_for_a_file(void **state) {
     assert_int_equal(bl_source_open("gnoize", BL_ISA_BEST, &signal, &message), BL_USAGE);
     assert_non_null(strstr(message.text, "did you mean 'gnoise'"));
     assert_null(signal);
-    assert_true(bl_source_is_file("grain.exr:spacing=1"));
-    assert_true(bl_source_is_file("./grain"));
-    assert_false(bl_source_is_file("gnoise:seed=7"));
-    assert_false(bl_source_is_file(""));
+    assert_non_null(bl_source_of("grain.exr:spacing=1"));
+    assert_non_null(bl_source_of("./grain"));
+    assert_null(bl_source_of("gnoise:seed=7"));
+    assert_null(bl_source_of(""));
 }
 
 // --- refusals -----------------------------------------------------------------------------------

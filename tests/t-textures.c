@@ -11,6 +11,7 @@
 #include "noises/noise.h"
 #include "core/image.h"
 #include "sources/source.h"
+#include "core/setting.h"
 #include "textures/colour_spline.h"
 #include "textures/texture.h"
 
@@ -188,7 +189,7 @@ static void check_copies(const bl_signal *raw, const bl_signal *filtered, const 
     assert_true(difference(copy, filtered) == 0);
     bl_signal_free(copy);
     bl_message message;
-    assert_int_equal(bl_signal_with_choice(raw, "filter", word, &chosen, &message), BL_OK);
+    assert_int_equal(bl_signal_with_setting(raw, "filter", word, &chosen, &message), BL_OK);
     assert_true(difference(chosen, filtered) == 0);
     bl_signal_free(chosen);
     if (raw->seed_offset == SIZE_MAX)

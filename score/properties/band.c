@@ -288,6 +288,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(band) = {
     .name = "band",
     .title = "band",
+    .paper = "peachey2003, p. 68",
     .entry = "the leak outside of the band along x, dB of the variance",
     .question = "Is it limited to a band, and how much of its variance lies outside?",
     .measure = measure,

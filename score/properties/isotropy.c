@@ -307,6 +307,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(isotropy) = {
     .name = "isotropy",
     .title = "isotropy",
+    .paper = "peachey2003, p. 68",
     .entry = "power near the axes over that near the diagonals, above 1 cycle a cell",
     .question = "Does the spectrum have no direction?",
     .measure = measure,

@@ -350,6 +350,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(period) = {
     .name = "period",
     .title = "period",
+    .paper = "peachey2003, p. 68",
     .entry = "the shortest repeat, in units",
     .question = "Does the noise repeat, or hide lines of its lattice in the spectrum?",
     .measure = measure,

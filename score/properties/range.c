@@ -398,6 +398,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(range) = {
     .name = "range",
     .title = "range",
+    .paper = "peachey2003, p. 68",
     .entry = "the share of the stated range that was found; without one the largest size",
     .question = "Is the range known, and do values, mean and variance keep to what is stated?",
     .measure = measure,

@@ -338,6 +338,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(repeatable) = {
     .name = "repeatable",
     .title = "repeatable",
+    .paper = "peachey2003, p. 68",
     .entry = "the largest difference of rows and points from the double reference",
     .question = "Does it give the same value for the same place, however it is asked?",
     .measure = measure,

@@ -309,6 +309,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
 BL_PROPERTY_DESCRIPTOR(stationarity) = {
     .name = "stationarity",
     .title = "stationarity",
+    .paper = "peachey2003, p. 68",
     .entry = "the largest variance at a place of the cell over the smallest",
     .question = "Are mean and variance the same everywhere in the cell?",
     .measure = measure,
