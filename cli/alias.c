@@ -177,38 +177,19 @@ static bl_status run_alias(bl_call *call) {
 
 #define AT(member) offsetof(alias_options, member)
 static const bl_option options[] = {
-    {.name = "view",
-     .kind = BL_OPTION_WORD,
-     .offset = AT(view),
-     .value = "VIEW",
-     .fallback = "flat",
+    {"view", BL_OPTION_WORD, AT(view), "VIEW", .fallback = "flat",
      .help = "what the pixels see, as plane:height=1,fov=60; `bandlimit list views` shows all"},
-    {.name = "method",
-     .also = "filter",
-     .kind = BL_OPTION_WORDS,
-     .offset = AT(methods),
-     .value = "METHOD",
+    {"method", BL_OPTION_WORDS, AT(methods), "METHOD", .also = "filter",
      .help =
          "how to sample: by a word of the signal's own key filter (of a sum of octaves: clamp), "
          "as integral:width=length; or point, supersample:n=4,pattern=jitter, mean; may be "
          "repeated. all: the signal's own filters and the usual methods (default: all)"},
-    {.name = "size",
-     .kind = BL_OPTION_WORD,
-     .offset = AT(size),
-     .value = "WxH",
+    {"size", BL_OPTION_WORD, AT(size), "WxH",
      .help = "pixels of the image (default: 128x128; --quick 64x64)"},
-    {.name = "pixel",
-     .kind = BL_OPTION_CHOICE,
-     .offset = AT(pixel),
-     .value = "KERNEL",
-     .fallback = "box",
-     .choices = bl_pixel_words,
+    {"pixel", BL_OPTION_CHOICE, AT(pixel), "KERNEL", .fallback = "box", .choices = bl_pixel_words,
      .help = "the pixel of the converged reference: a box as wide as a pixel, or a gaussian with a "
              "standard deviation of half a pixel"},
-    {.name = "cache",
-     .kind = BL_OPTION_WORD,
-     .offset = AT(cache),
-     .value = "DIR",
+    {"cache", BL_OPTION_WORD, AT(cache), "DIR",
      .help = "keep converged references in DIR, and take them from there; without it none is kept"},
     {0}};
 

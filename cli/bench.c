@@ -197,9 +197,7 @@ static bl_status run_bench(bl_call *call) {
     return status == BL_OK ? bl_verdict_status(verdict) : status;
 }
 
-static const bl_option options[] = {{.name = "check",
-                                     .kind = BL_OPTION_FLAG,
-                                     .offset = offsetof(bench_settings, check),
+static const bl_option options[] = {{"check", BL_OPTION_FLAG, offsetof(bench_settings, check),
                                      .help = "exit with 2 if a ratio is below its floor"},
                                     {0}};
 

@@ -53,12 +53,8 @@ static bl_status run_compare(bl_call *call) {
 
 static const char *const formats[] = {"svg", "pdf", NULL};
 
-static const bl_option options[] = {{.name = "format",
-                                     .kind = BL_OPTION_CHOICE,
-                                     .offset = offsetof(compare_options, format),
-                                     .value = "FORMAT",
-                                     .fallback = "svg",
-                                     .choices = formats,
+static const bl_option options[] = {{"format", BL_OPTION_CHOICE, offsetof(compare_options, format),
+                                     "FORMAT", .fallback = "svg", .choices = formats,
                                      .help = "the plots as SVG alone, or with a PDF beside each"},
                                     {0}};
 

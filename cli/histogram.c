@@ -231,35 +231,16 @@ static bl_status run_histogram(bl_call *call) {
 }
 
 static const bl_option options[] = {
-    {.name = "samples",
-     .kind = BL_OPTION_UNSIGNED,
-     .offset = offsetof(histogram_options, samples),
-     .value = "N",
-     .minimum = 2,
+    {"samples", BL_OPTION_UNSIGNED, offsetof(histogram_options, samples), "N", .minimum = 2,
      .maximum = 1e12,
      .help = "samples at random places; an image gives all its own (default: a million or so; "
              "65536 with --quick, 2^26 with --full)"},
-    {.name = "bins",
-     .kind = BL_OPTION_UNSIGNED,
-     .offset = offsetof(histogram_options, bins),
-     .value = "N",
-     .fallback = "64",
-     .minimum = 1,
-     .maximum = 1e6,
-     .help = "bins of equal width"},
-    {.name = "range",
-     .kind = BL_OPTION_WORD,
-     .offset = offsetof(histogram_options, range),
-     .value = "LO:HI",
+    {"bins", BL_OPTION_UNSIGNED, offsetof(histogram_options, bins), "N", .fallback = "64",
+     .minimum = 1, .maximum = 1e6, .help = "bins of equal width"},
+    {"range", BL_OPTION_WORD, offsetof(histogram_options, range), "LO:HI",
      .help = "values of the first and last edge (default: the range observed)"},
-    {.name = "level",
-     .kind = BL_OPTION_REAL,
-     .offset = offsetof(histogram_options, level),
-     .value = "P",
-     .fallback = "0.95",
-     .minimum = 0.5,
-     .maximum = 0.999999,
-     .help = "confidence level of the intervals"},
+    {"level", BL_OPTION_REAL, offsetof(histogram_options, level), "P", .fallback = "0.95",
+     .minimum = 0.5, .maximum = 0.999999, .help = "confidence level of the intervals"},
     {0}};
 
 const bl_verb bl_verb_histogram = {

@@ -28,13 +28,14 @@ typedef struct bl_words {
     size_t count;
 } bl_words;
 
+// As in {"size", BL_OPTION_UNSIGNED, AT(size), "N", .minimum = 2, .maximum = 99, .help = "pixels"}.
 typedef struct bl_option {
     const char *name; // without dashes; NULL ends a table
-    const char *also; // a second name; NULL: none
     bl_option_kind kind;
-    char letter;          // 0: none
     size_t offset;        // in the block of settings
     const char *value;    // what the help calls the value: "N", "PATH"
+    const char *also;     // a second name; NULL: none
+    char letter;          // 0: none
     const char *fallback; // the default as text, read like a user's; NULL: zero
     double minimum, maximum;
     const char *const *choices;

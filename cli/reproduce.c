@@ -16,14 +16,10 @@ static bl_status run_reproduce(bl_call *call) {
 
 static const char *const formats[] = {"svg", "pdf", NULL};
 
-static const bl_option options[] = {{.name = "format",
-                                     .kind = BL_OPTION_CHOICE,
-                                     .offset = offsetof(reproduce_options, format),
-                                     .value = "FORMAT",
-                                     .fallback = "svg",
-                                     .choices = formats,
-                                     .help = "the plots as SVG alone, or with a PDF beside each"},
-                                    {0}};
+static const bl_option options[] = {
+    {"format", BL_OPTION_CHOICE, offsetof(reproduce_options, format), "FORMAT", .fallback = "svg",
+     .choices = formats, .help = "the plots as SVG alone, or with a PDF beside each"},
+    {0}};
 
 const bl_verb bl_verb_reproduce = {
     .name = "reproduce",

@@ -189,18 +189,11 @@ static bl_status run_spectrum(bl_call *call) {
 
 static const bl_option options[] = {
     BL_SPECTRAL_OPTIONS(spectrum_settings),
-    {.name = "band",
-     .kind = BL_OPTION_WORDS,
-     .offset = offsetof(spectrum_settings, bands),
-     .value = "A:B",
+    {"band", BL_OPTION_WORDS, offsetof(spectrum_settings, bands), "A:B",
      .help = "a band whose share of the variance to report, cycles per unit, B may be inf; may be "
              "repeated (default: 0:0.5 0.3:0.7 0.5:1 1:inf)"},
-    {.name = "autocorrelation",
-     .kind = BL_OPTION_REAL,
-     .offset = offsetof(spectrum_settings, reach),
-     .value = "REACH",
-     .minimum = 1e-9,
-     .maximum = 1e12,
+    {"autocorrelation", BL_OPTION_REAL, offsetof(spectrum_settings, reach), "REACH",
+     .minimum = 1e-9, .maximum = 1e12,
      .help = "also the autocovariance along the line, for lags up to REACH units and at most half "
              "the line"},
     {0}};

@@ -169,15 +169,9 @@ static bl_status run_trade(bl_call *call) {
 }
 
 static const bl_option options[] = {
-    {.name = "trade",
-     .kind = BL_OPTION_WORD,
-     .offset = offsetof(trade_options, trade),
-     .value = "NAME",
+    {"trade", BL_OPTION_WORD, offsetof(trade_options, trade), "NAME",
      .help = "this trade alone (default: all that apply)"},
-    {.name = "view",
-     .kind = BL_OPTION_WORD,
-     .offset = offsetof(trade_options, view),
-     .value = "VIEW",
+    {"view", BL_OPTION_WORD, offsetof(trade_options, view), "VIEW",
      .help = "the view under which a texture is sampled (default: plane)"},
     {0}};
 
