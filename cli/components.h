@@ -9,14 +9,13 @@
 enum { BL_COMPONENTS_MOST = 4 };
 
 // uint64_t `member` of the block of settings.
+// clang-format off
 #define BL_COMPONENTS_OPTION(block, member)                                                        \
-    {                                                                                              \
-        .name = "components", .kind = BL_OPTION_UNSIGNED, .offset = offsetof(block, member),       \
-        .value = "N", .fallback = "1", .minimum = 1, .maximum = BL_COMPONENTS_MOST,                \
-        .help =                                                                                    \
-            "components of a vector: the signal and others of its kind and of seeds that "         \
-            "follow from its own, as component=1 to 3 of a lattice noise"                          \
-    }
+    {"components", BL_OPTION_UNSIGNED, offsetof(block, member), "N", .fallback = "1",              \
+     .minimum = 1, .maximum = BL_COMPONENTS_MOST,                                                  \
+     .help = "components of a vector: the signal and others of its kind and of seeds that "        \
+             "follow from its own, as component=1 to 3 of a lattice noise"}
+// clang-format on
 
 typedef struct bl_vector_signal {
     size_t count;

@@ -239,8 +239,7 @@ static const bl_option options[] = {
      .minimum = 1, .maximum = 1e6, .help = "bins of equal width"},
     {"range", BL_OPTION_WORD, offsetof(histogram_options, range), "LO:HI",
      .help = "values of the first and last edge (default: the range observed)"},
-    {"level", BL_OPTION_REAL, offsetof(histogram_options, level), "P", .fallback = "0.95",
-     .minimum = 0.5, .maximum = 0.999999, .help = "confidence level of the intervals"},
+    BL_LEVEL_OPTION(offsetof(histogram_options, level)),
     {0}};
 
 const bl_verb bl_verb_histogram = {

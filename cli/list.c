@@ -85,9 +85,7 @@ static bl_status run_list(bl_call *call) {
     return BL_OK;
 }
 
-static const bl_option options[] = {{.name = "names",
-                                     .kind = BL_OPTION_FLAG,
-                                     .offset = offsetof(list_settings, names),
+static const bl_option options[] = {{"names", BL_OPTION_FLAG, offsetof(list_settings, names),
                                      .help = "the bare names, one a line, for scripts"},
                                     {0}};
 

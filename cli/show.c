@@ -409,10 +409,7 @@ static bl_status run_show(bl_call *call) {
 }
 
 static const bl_option options[] = {
-    {.name = "plot",
-     .kind = BL_OPTION_WORD,
-     .offset = offsetof(show_settings, plot),
-     .value = "PATH",
+    {"plot", BL_OPTION_WORD, offsetof(show_settings, plot), "PATH",
      .help = "of a filter: draw kernel, step and response to PATH, which ends in .svg or .png"},
     {0}};
 

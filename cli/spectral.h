@@ -16,35 +16,29 @@ typedef struct bl_spectral {
 
 #define BL_SPECTRAL_AT(type, member) (offsetof(type, spectral) + offsetof(bl_spectral, member))
 
-// The options, for a settings struct `type` with a member `spectral`.
 // clang-format off
+// The options, for a settings struct `type` with a member `spectral`.
 #define BL_SPECTRAL_OPTIONS(type)                                                                  \
-    {.name = "dims", .kind = BL_OPTION_UNSIGNED, .offset = BL_SPECTRAL_AT(type, dims),             \
-     .value = "N", .fallback = "1", .minimum = 1, .maximum = 3,                                    \
+    {"dims", BL_OPTION_UNSIGNED, BL_SPECTRAL_AT(type, dims), "N", .fallback = "1",                 \
+     .minimum = 1, .maximum = 3,                                                                   \
      .help = "1 along a line, 2 in a slice (rings), 3 in a volume (shells)"},                      \
-    {.name = "axis", .kind = BL_OPTION_WORD, .offset = BL_SPECTRAL_AT(type, axis),                 \
-     .value = "AXIS",                                                                              \
+    {"axis", BL_OPTION_WORD, BL_SPECTRAL_AT(type, axis), "AXIS",                                   \
      .help = "direction of the line or normal of the slice: x, y, z or DX,DY,DZ (default: x for "  \
              "a line, z for a slice)"},                                                            \
-    {.name = "rate", .kind = BL_OPTION_REAL, .offset = BL_SPECTRAL_AT(type, rate), .value = "R",   \
-     .minimum = 1e-6, .maximum = 1e6,                                                              \
+    {"rate", BL_OPTION_REAL, BL_SPECTRAL_AT(type, rate), "R", .minimum = 1e-6, .maximum = 1e6,     \
      .help = "samples per unit (default: that of an image; else 16, 8, 4 by dims)"},               \
-    {.name = "size", .kind = BL_OPTION_UNSIGNED, .offset = BL_SPECTRAL_AT(type, size),             \
-     .value = "N", .minimum = 8, .maximum = 1e12,                                                  \
+    {"size", BL_OPTION_UNSIGNED, BL_SPECTRAL_AT(type, size), "N", .minimum = 8, .maximum = 1e12,   \
      .help = "samples along each axis (default: 2048, 512, 64 by dims, or what an image has)"},    \
-    {.name = "average", .kind = BL_OPTION_UNSIGNED, .offset = BL_SPECTRAL_AT(type, averages),      \
-     .value = "K", .minimum = 2, .maximum = 1e7,                                                   \
+    {"average", BL_OPTION_UNSIGNED, BL_SPECTRAL_AT(type, averages), "K", .minimum = 2,             \
+     .maximum = 1e7,                                                                               \
      .help = "independent places to average over (default: 256, 16, 8 by dims; a quarter with "    \
              "--quick, sixteen times with --full; of an image at most what it has)"},              \
-    {.name = "window", .kind = BL_OPTION_WORD, .offset = BL_SPECTRAL_AT(type, window),             \
-     .value = "NAME",                                                                              \
+    {"window", BL_OPTION_WORD, BL_SPECTRAL_AT(type, window), "NAME",                               \
      .help = "taper: blackman-harris, hann or rectangle (default: blackman-harris)"},              \
-    {.name = "place", .kind = BL_OPTION_CHOICE, .offset = BL_SPECTRAL_AT(type, place),             \
-     .value = "PLACE", .choices = bl_spectral_places,                                              \
+    {"place", BL_OPTION_CHOICE, BL_SPECTRAL_AT(type, place), "PLACE",                              \
+     .choices = bl_spectral_places,                                                                \
      .help = "where lines and slices lie: anywhere (the default), or on lattice edges and planes"},\
-    {.name = "level", .kind = BL_OPTION_REAL, .offset = BL_SPECTRAL_AT(type, level),               \
-     .value = "P", .fallback = "0.95", .minimum = 0.5, .maximum = 0.999999,                        \
-     .help = "confidence level of the intervals"}
+    BL_LEVEL_OPTION(BL_SPECTRAL_AT(type, level))
 // clang-format on
 
 extern const char *const bl_spectral_places[];

@@ -74,6 +74,13 @@ struct bl_verb {
 extern const bl_option bl_common_options[];
 extern const bl_option bl_no_options[];
 
+// Of verbs that measure: the confidence level, a double at an offset of the settings.
+// clang-format off
+#define BL_LEVEL_OPTION(offset)                                                                    \
+    {"level", BL_OPTION_REAL, offset, "P", .fallback = "0.95", .minimum = 0.5,                     \
+     .maximum = 0.999999, .help = "confidence level of the intervals"}
+// clang-format on
+
 // The list, for the program and not for verbs, which have call->registries.
 BL_REGISTRY(bl_verb, bl_verb, bl_verbs)
 
