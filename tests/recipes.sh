@@ -21,7 +21,7 @@ while read -r file list line; do
 done <tests/recipes/lines
 
 programs="t-layers t-registry t-facts t-rows t-bounds t-textbook t-filters t-pulse-train t-textures
-    t-view t-alias t-trade t-score t-figures t-cli-help"
+    t-view t-alias t-trade t-score t-cli-help"
 cd "$tree"
 logs=
 for program in $programs; do
@@ -29,3 +29,7 @@ for program in $programs; do
 done
 ${MAKE:-make} --no-print-directory --output-sync=target $logs REPEAT="cd $tree && make check"
 sh tests/summary.sh $logs
+
+# The figure alone, as its walk would run all of them again.
+build/bandlimit reproduce least --quick -o build/out --quiet
+test -s build/out/index.html
