@@ -20,8 +20,8 @@ while read -r file list line; do
     printf '%s\n' "$line" >>"$tree/$list"
 done <tests/recipes/lines
 
-programs="t-layers t-registry t-facts t-rows t-bounds t-textbook t-filters t-pulse-train t-textures
-    t-view t-alias t-trade t-score t-cli-help"
+programs="t-layers t-registries t-registry t-facts t-rows t-bounds t-textbook t-filters
+    t-pulse-train t-textures t-view t-alias t-trade t-score t-cli-help"
 cd "$tree"
 logs=
 for program in $programs; do
@@ -30,6 +30,10 @@ done
 ${MAKE:-make} --no-print-directory --output-sync=target $logs REPEAT="cd $tree && make check"
 sh tests/summary.sh $logs
 
+# The source, which no walk opens.
+test "$(build/bandlimit eval ramp: 0.5)" = 0.5
+
 # The figure alone, as its walk would run all of them again.
-build/bandlimit reproduce least --quick -o build/out --quiet
+build/bandlimit reproduce least-figure --quick -o build/out --quiet
 test -s build/out/index.html
+echo "recipes: each thing is one file and one line"

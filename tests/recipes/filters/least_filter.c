@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// least: the quadratic B-spline, three boxes one after another.
+// least-filter: the quadratic B-spline, three boxes one after another.
 //
 //   k(t) = 3/4 - t^2 for |t| < 1/2, (3/2 - |t|)^2 / 2 for |t| < 3/2, else 0
 #include "filters/pieces.h"
@@ -12,7 +12,7 @@ static const bl_filter_pieces shape = {
 
 BL_PIECES_ABILITIES(shape)
 
-BL_FILTER_DESCRIPTOR(least_filter) = {.name = "least",
+BL_FILTER_DESCRIPTOR(least_filter) = {.name = "least-filter",
                                       .title = "quadratic B-spline",
                                       .summary = "Three boxes one after another.",
                                       .formula = "3/4 - t^2, then (3/2 - |t|)^2 / 2",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// least: the mean of two points, a quarter of a pixel left and right of the middle.
+// least-method: the mean of two points, a quarter of a pixel left and right of the middle.
 #include <math.h>
 
 #include "aliasing/method.h"
@@ -29,7 +29,7 @@ static double response(const void *parameters, double fx, double fy) {
 
 static const bl_parameter parameters[] = {{.key = NULL}};
 
-BL_METHOD_DESCRIPTOR(least_method) = {.name = "least",
+BL_METHOD_DESCRIPTOR(least_method) = {.name = "least-method",
                                       .title = "two points",
                                       .summary = "The mean of two points of the pixel.",
                                       .paper = "bandlimit",

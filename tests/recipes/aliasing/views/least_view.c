@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// least: a pixel is an eighth of a unit: (s, t) = (x, y) / 8.
+// least-view: a pixel is an eighth of a unit: (s, t) = (x, y) / 8.
 #include "aliasing/view.h"
 
 static int see(const void *block, const double size[2], double x, double y, bl_sight *sight) {
@@ -11,7 +11,7 @@ static int see(const void *block, const double size[2], double x, double y, bl_s
 
 static const bl_parameter parameters[] = {{.key = NULL}};
 
-BL_VIEW_DESCRIPTOR(least_view) = {.name = "least",
+BL_VIEW_DESCRIPTOR(least_view) = {.name = "least-view",
                                   .title = "eighths",
                                   .summary = "A pixel is an eighth of a unit.",
                                   .formula = "(s, t) = (x, y) / 8",

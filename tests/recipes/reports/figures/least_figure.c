@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// least: two noises side by side.
+// least-figure: two noises side by side.
 #include <math.h>
 
 #include "reports/figures/estimates.h"
@@ -23,7 +23,7 @@ static void run_figure(bl_run *run) {
                   "along a line at a random place", "of the variance", 0, 1, above, "averages");
 }
 
-BL_FIGURE_DESCRIPTOR(least_figure) = {.name = "least",
+BL_FIGURE_DESCRIPTOR(least_figure) = {.name = "least-figure",
                                       .title = "Two noises",
                                       .question = "Which of the two has blobs?",
                                       .paper = "bandlimit",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The property `least`: the value at a random place lies among a thousand others.
+// The property `least-property`: the value at a random place lies among a thousand others.
 #include <math.h>
 
 #include "score/properties/places.h"
@@ -12,7 +12,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     (void)message;
     if (!bl_score_look_at(subject, settings, result, &look))
         return BL_OK; // judged already
-    bl_random random = bl_score_random(settings, "least", 0);
+    bl_random random = bl_score_random(settings, "least-property", 0);
     for (int a = 0; a < BL_AXES; a++)
         at[a] = look.cell * bl_random_unit(&random);
     double off = fabs(bl_signal_value(subject->signal, at) - look.mean);
@@ -22,8 +22,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     return BL_OK;
 }
 
-BL_PROPERTY_DESCRIPTOR(least_property) = {.name = "least",
-                                          .title = "least",
+BL_PROPERTY_DESCRIPTOR(least_property) = {.name = "least-property",
+                                          .title = "least-property",
                                           .entry = "how far one value is off the mean",
                                           .question = "Is a value near the mean?",
                                           .measure = measure};

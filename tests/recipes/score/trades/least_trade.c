@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// least: float values of gradient noise against the reference in double.
+// least-trade: float values of gradient noise against the reference in double.
 #include <string.h>
 
 #include "score/trade_signals.h"
@@ -20,7 +20,7 @@ static bl_status open(const bl_signal *subject, const bl_trade_settings *setting
     return status;
 }
 
-BL_TRADE_DESCRIPTOR(least_trade) = {.name = "least",
+BL_TRADE_DESCRIPTOR(least_trade) = {.name = "least-trade",
                                     .title = "float values",
                                     .question = "How far off are float values?",
                                     .paper = "bandlimit",
