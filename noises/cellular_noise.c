@@ -54,8 +54,9 @@
 
 #include "noises/closed_forms.h"
 #include "noises/common_parameters.h"
-#include "noises/lattice/lattice_dimensions.h"
+#include "noises/lattice/separable_dimensions.h"
 #include "noises/noise.h"
+#include "noises/textbook.h"
 
 enum {
     MOST_AXES = 3,

@@ -39,6 +39,7 @@
 #include "noises/common_parameters.h"
 #include "noises/lattice/gradient_loops.h"
 #include "noises/noise.h"
+#include "noises/textbook.h"
 
 typedef struct improved_parameters {
     bl_lattice_settings lattice;

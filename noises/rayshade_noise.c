@@ -30,6 +30,7 @@
 #include "noises/common_parameters.h"
 #include "noises/noise.h"
 #include "noises/lattice/value_loops.h"
+#include "noises/textbook.h"
 
 typedef struct rayshade_parameters {
     bl_lattice_settings lattice;

@@ -63,6 +63,7 @@
 #include "noises/lattice/simplex_place.h"
 #include "noises/lattice/simplex_points.h"
 #include "noises/lattice/simplex_theory.h"
+#include "noises/textbook.h"
 
 typedef struct simplex_parameters {
     bl_lattice_settings lattice;

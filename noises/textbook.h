@@ -26,6 +26,7 @@
 #include <stdint.h>
 
 #include "core/signal.h"
+#include "noises/lattice/permutation.h"
 
 enum { BL_TEXTBOOK_SIZE = 256, BL_TEXTBOOK_TILE = 64, BL_TEXTBOOK_CUBE = 32 };
 
@@ -60,9 +61,6 @@ const bl_textbook *bl_textbook_tables(bl_opener *open);
 
 // Draws the random numbers of a set of tables from another seed; the tiles stay.
 void bl_textbook_draw(bl_textbook *tables, uint64_t seed);
-
-// The permutation as printed; data of the text.
-extern const unsigned char bl_permutation[BL_TEXTBOOK_SIZE];
 
 static inline int bl_textbook_floor(float x) {
     return (int)x - (x < 0 && x != (float)(int)x);

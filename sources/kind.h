@@ -27,6 +27,8 @@ typedef struct bl_source {
     const char *seed_hint;
 } bl_source;
 
+BL_REGISTRY(bl_source, bl_source, bl_sources)
+
 // Names the descriptor of a source's file: BL_SOURCE_DESCRIPTOR(raw) = {...};
 #define BL_SOURCE_DESCRIPTOR(stem)                                                                 \
     extern const bl_source bl_source_##stem;                                                       \

@@ -67,7 +67,6 @@ bl_status bl_source_open_seeded(const char *text, uint64_t seed, bl_isa isa, bl_
                                 bl_message *message);
 
 // The source that a text names, by the rule above; NULL for a definition.
-BL_REGISTRY(bl_source, bl_source, bl_sources)
 const bl_source *bl_source_of(const char *text);
 
 // The definition of a noise, primitive or texture by name; NULL for an unknown one.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The list of all sources.
-#include "sources/source.h"
+#include "sources/kind.h"
 
 #define BL_SOURCE(stem) extern const bl_source bl_source_##stem;
 #include "sources/sources.def"

@@ -10,7 +10,7 @@
 #define BL_NOISES_LATTICE_GRADIENT_DIMENSIONS_H
 
 #include "noises/lattice/gradient_loops.h"
-#include "noises/lattice/lattice_dimensions.h"
+#include "noises/lattice/separable_dimensions.h"
 
 typedef struct bl_gradient_in {
     const bl_gradient_noise *noise;

@@ -60,7 +60,9 @@
 
 #include "core/hash.h"
 #include "core/signal.h"
-#include "noises/textbook.h"
+#include "noises/lattice/permutation.h"
+
+#define BL_INLINE static inline __attribute__((always_inline))
 
 // Odd multipliers: 2^32 times the golden ratio's fraction, and the first one of MurmurHash3's
 // finaliser (Appleby 2011), found there by search for avalanche.

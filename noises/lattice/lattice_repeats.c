@@ -4,7 +4,7 @@
 #include <pthread.h>
 #include <stdint.h>
 
-#include "noises/textbook.h"
+#include "noises/lattice/permutation.h"
 
 enum { SPAN = 2 * BL_REPEATS_REACH + 1 };
 

@@ -6,6 +6,7 @@
 #define BL_NOISES_LATTICE_REFERENCE_H
 
 #include "noises/lattice/lattice_dimensions.h"
+#include "noises/lattice/separable.h"
 
 // The planes `first`, first + 1, ... of the cell of a place along each of its axes.
 typedef struct bl_reference_cells {

@@ -29,8 +29,6 @@
 #include "core/signal.h"
 #include "noises/lattice/lattice.h"
 
-#define BL_INLINE static inline __attribute__((always_inline))
-
 enum {
     BL_LANES = 16,  // floats in the widest vector; loops run on multiples of it
     BL_BLOCK = 128, // points in a block

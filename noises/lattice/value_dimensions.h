@@ -9,7 +9,7 @@
 #ifndef BL_NOISES_LATTICE_VALUE_DIMENSIONS_H
 #define BL_NOISES_LATTICE_VALUE_DIMENSIONS_H
 
-#include "noises/lattice/lattice_dimensions.h"
+#include "noises/lattice/separable_dimensions.h"
 #include "noises/lattice/value_loops.h"
 
 // --- points -------------------------------------------------------------------------------------

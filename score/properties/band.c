@@ -238,11 +238,6 @@ static void judge(bl_score_property *result, bl_psd *psd, const band_claim *clai
     judge_leak(result, psd, claim, &limit);
 }
 
-int bl_score_states_band(const bl_signal *signal) {
-    const bl_facts *facts = &signal->facts;
-    return isfinite(facts->band_to) || facts->band_from > 0;
-}
-
 static int has_way(const bl_signal *signal, way which) {
     if (which == ALONG_X)
         return 1;

@@ -34,6 +34,11 @@ double bl_score_bound(const bl_signal *signal) {
     return isfinite(lower) && isfinite(upper) ? fmax(lower, upper) : NAN;
 }
 
+int bl_score_states_band(const bl_signal *signal) {
+    const bl_facts *facts = &signal->facts;
+    return isfinite(facts->band_to) || facts->band_from > 0;
+}
+
 int bl_score_states_something(const bl_signal *signal) {
     const bl_facts *facts = &signal->facts;
     if (isfinite(bl_score_bound(signal)) || isfinite(facts->mean) || isfinite(facts->variance) ||
