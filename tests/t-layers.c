@@ -2,11 +2,14 @@
 //
 // The layer rule, read off the #include lines and off the symbols that the linker joins: each
 // folder knows only what stands above it, only core/fft.c knows FFTW, only core/oiio.cpp knows
-// OpenImageIO; every source has its licence.
+// OpenImageIO; every source has its licence. From the same arrows: no circle between units
+// (tests/circles.h says what a unit is).
 #include "tests/test.h"
 
 #include <dirent.h>
 #include <unistd.h>
+
+#include "tests/circles.h"
 
 enum { KNOWN_MOST = 10 };
 
@@ -76,7 +79,7 @@ static void check_libraries(const char *file, const char *include) {
         fail_msg("%s includes <%s>: only core/oiio.cpp knows OpenImageIO", file, include);
 }
 
-static size_t check_file(const char *file) {
+static size_t check_file(const char *file, bl_needs *needs) {
     char line[1024], include[256];
     size_t count = 0;
     FILE *stream = fopen(file, "r");
@@ -88,6 +91,8 @@ static size_t check_file(const char *file) {
             count++;
             if (!may_know(file, include))
                 fail_msg("%s includes \"%s\", which stands below its layer", file, include);
+            if (needs)
+                bl_needs_add(needs, file, include, NULL);
             check_libraries(file, include);
         } else if (sscanf(line, " #include <%255[^>]>", include) == 1) {
             check_libraries(file, include);
@@ -122,18 +127,21 @@ static size_t walk(const char *folder, visitor *visit, void *user) {
 }
 
 static size_t visit_source(const char *file, const char *name, void *user) {
-    (void)user;
     return has_ending(name, ".c") || has_ending(name, ".h") || has_ending(name, ".cpp")
-               ? check_file(file)
+               ? check_file(file, user)
                : 0;
+}
+
+static size_t check_includes(bl_needs *needs) {
+    size_t includes = 0;
+    for (size_t i = 0; i < LAYERS; i++)
+        includes += walk(layers[i].folder, visit_source, needs);
+    return includes;
 }
 
 static void test_each_folder_includes_only_what_stands_above_it(void **state) {
     (void)state;
-    size_t includes = 0;
-    for (size_t i = 0; i < LAYERS; i++)
-        includes += walk(layers[i].folder, visit_source, NULL);
-    assert_true(includes > 500); // the tests run from the top of the tree
+    assert_true(check_includes(NULL) > 500); // the tests run from the top of the tree
 }
 
 // --- symbols ------------------------------------------------------------------------------------
@@ -203,7 +211,7 @@ static int by_name(const void *a, const void *b) {
 }
 
 // Checks all uses of one name; the first `count` symbols of the list have it.
-static size_t check_uses(const symbol *list, size_t count) {
+static size_t check_uses(const symbol *list, size_t count, bl_needs *needs) {
     size_t arrows = 0;
     for (size_t d = 0; d < count; d++)
         for (size_t u = 0; list[d].defined && u < count; u++) {
@@ -213,12 +221,13 @@ static size_t check_uses(const symbol *list, size_t count) {
             if (!may_know(list[u].file, list[d].file))
                 fail_msg("%s uses %s of %s, which stands below its layer", list[u].file,
                          list[d].name, list[d].file);
+            if (needs)
+                bl_needs_add(needs, list[u].file, list[d].file, list[d].name);
         }
     return arrows;
 }
 
-static void test_each_folder_links_only_what_stands_above_it(void **state) {
-    (void)state;
+static void check_symbols(bl_needs *needs) {
     symbols all = {.list = calloc(SYMBOLS_MOST, sizeof *all.list)};
     size_t objects = 0, arrows = 0, same;
     assert_non_null(all.list);
@@ -232,10 +241,27 @@ static void test_each_folder_links_only_what_stands_above_it(void **state) {
         for (same = 1;
              i + same < all.count && strcmp(all.list[i].name, all.list[i + same].name) == 0;)
             same++;
-        arrows += check_uses(&all.list[i], same);
+        arrows += check_uses(&all.list[i], same, needs);
     }
     free(all.list);
     assert_true(objects > 200 && arrows > 1000);
+}
+
+static void test_each_folder_links_only_what_stands_above_it(void **state) {
+    (void)state;
+    check_symbols(NULL);
+}
+
+static void test_no_circle_ties_units(void **state) {
+    (void)state;
+    char circles[4096];
+    bl_needs *needs = bl_needs_new();
+    check_includes(needs);
+    check_symbols(needs);
+    assert_true(needs->count > 200);
+    if (bl_circles(needs, circles, sizeof circles))
+        fail_msg("units need each other, so that none stands alone:\n%s", circles);
+    bl_needs_free(needs);
 }
 
 static void test_the_check_sees_a_forbidden_arrow(void **state) {
@@ -253,14 +279,44 @@ static void test_the_check_sees_a_forbidden_arrow(void **state) {
     assert_false(may_know("cli/x.c", "api/api.h"));
     assert_true(may_know("api/x.c", "include/bandlimit.h"));
     const symbol upward[] = {{"bl_x", "reports/x.o", 1}, {"bl_x", "reports/y.o", 0}};
-    assert_int_equal(check_uses(upward, 2), 1);
+    assert_int_equal(check_uses(upward, 2, NULL), 1);
+}
+
+static void check_unit(const char *file, const char *expected) {
+    char unit[BL_UNIT_NAME];
+    bl_unit_of(file, unit);
+    assert_string_equal(unit, expected);
+}
+
+static void test_the_check_sees_a_circle(void **state) {
+    (void)state;
+    char circles[1024];
+    bl_needs *needs = bl_needs_new();
+    check_unit("noises/tiles/tile_points.h", "noises/tiles/tile");
+    check_unit("noises/tiles/tile.c", "noises/tiles/tile");
+    check_unit("noises/gradient_noise.v3.o", "noises/gradient_noise");
+    check_unit("core/table_csv.o", "core/table");
+    bl_needs_add(needs, "a/x.c", "a/y.h", NULL);
+    bl_needs_add(needs, "a/y.c", "b/z.h", NULL);
+    bl_needs_add(needs, "a/w.c", "a/x.h", NULL);
+    bl_needs_add(needs, "a/x.c", "a/x.h", NULL);
+    assert_int_equal(bl_circles(needs, circles, sizeof circles), 0);
+    bl_needs_add(needs, "b/z.o", "a/x.o", "bl_x");
+    assert_int_equal(bl_circles(needs, circles, sizeof circles), 1);
+    assert_non_null(strstr(circles, "a circle of a/x a/y b/z\n"));
+    assert_non_null(strstr(circles, "  a/x.c includes a/y.h\n"));
+    assert_non_null(strstr(circles, "  b/z.o uses bl_x of a/x.o\n"));
+    assert_null(strstr(circles, "a/w"));
+    bl_needs_free(needs);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_each_folder_includes_only_what_stands_above_it),
         cmocka_unit_test(test_each_folder_links_only_what_stands_above_it),
+        cmocka_unit_test(test_no_circle_ties_units),
         cmocka_unit_test(test_the_check_sees_a_forbidden_arrow),
+        cmocka_unit_test(test_the_check_sees_a_circle),
     };
     return bl_run_tests(tests);
 }
