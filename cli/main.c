@@ -5,6 +5,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,6 +38,12 @@ static void ignore_broken_pipes(void) {
     pipe_signal_is_default = before.sa_handler == SIG_DFL;
 }
 
+// Whether stdout is a pipe that nobody reads any more. A write that failed long ago has left no errno.
+static int reader_has_gone(void) {
+    struct pollfd out = {.fd = STDOUT_FILENO, .events = POLLOUT};
+    return poll(&out, 1, 0) == 1 && out.revents & POLLERR;
+}
+
 // Flushes stdout and learns whether all of it was written.
 static bl_status finish_stdout(bl_status status, bl_message *message) {
     errno = 0;
@@ -45,7 +52,7 @@ static bl_status finish_stdout(bl_status status, bl_message *message) {
         failed = 1;
     if (!failed)
         return status;
-    if (errno == EPIPE && pipe_signal_is_default) {
+    if (pipe_signal_is_default && (errno == EPIPE || reader_has_gone())) {
         signal(SIGPIPE, SIG_DFL);
         raise(SIGPIPE);
     }

@@ -69,11 +69,14 @@ static void test_eval_answers_each_line_before_the_next(void **state) {
     fclose(program.err);
 }
 
+// The program answers only what it is asked, so that it cannot be done before the reader has gone.
 static void test_a_reader_that_goes_ends_the_program_quietly(void **state) {
     (void)state;
-    char *words[] = {(char[]){"bandlimit"}, (char[]){"list"}, NULL};
+    char *words[] = {(char[]){"bandlimit"}, (char[]){"eval"}, (char[]){"gnoise"}, NULL};
     child program = start(words);
+    expect_answer(&program, "0.25 0.5 0.75\n");
     close(program.from);
+    assert_int_equal(write(program.to, "1 2 3\n", 6), 6);
     int status;
     waitpid(program.id, &status, 0);
     assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGPIPE);

@@ -27,9 +27,7 @@ static void test_json_has_numbers_and_samples(void **state) {
     (void)state;
     for (size_t f = 0; f < bl_filter_count(); f++) {
         const bl_filter *filter = bl_filter_at(f);
-        char name[64];
-        snprintf(name, sizeof name, "filter:%s", filter->name);
-        bl_ran ran = bl_run_program("show", name, "--json");
+        bl_ran ran = bl_run_program("show", filter->name, "--json");
         assert_int_equal(ran.status, 0);
         json_t *object = json_loads(ran.out, 0, NULL);
         assert_non_null(object);
