@@ -10,23 +10,20 @@ _Static_assert((int)BANDLIMIT_FAULT == (int)BL_FAIL &&
                    (int)BANDLIMIT_MISMATCH == (int)BL_MISMATCH &&
                    (int)BANDLIMIT_DEVICE == (int)BL_DEVICE && (int)BANDLIMIT_USAGE == (int)BL_USAGE,
                "statuses are cast");
+_Static_assert((int)BANDLIMIT_PASS == (int)BL_VERDICT_PASS &&
+                   (int)BANDLIMIT_INCONCLUSIVE == (int)BL_VERDICT_INCONCLUSIVE &&
+                   (int)BANDLIMIT_FAIL == (int)BL_VERDICT_FAIL &&
+                   (int)BANDLIMIT_NOT_RUN == (int)BL_VERDICT_NOT_RUN,
+               "verdicts are cast");
 _Static_assert(sizeof(bandlimit_message) == sizeof(bl_message), "messages are cast");
+_Static_assert(sizeof(bandlimit_estimate) == sizeof(bl_estimate) &&
+                   offsetof(bandlimit_estimate, lower) == offsetof(bl_estimate, lower) &&
+                   offsetof(bandlimit_estimate, upper) == offsetof(bl_estimate, upper) &&
+                   offsetof(bandlimit_estimate, level) == offsetof(bl_estimate, level),
+               "estimates are copied");
 
 const char *bandlimit_version(void) {
     return BL_VERSION;
-}
-
-bandlimit_estimate bl_api_estimate(const bl_estimate *estimate) {
-    return (bandlimit_estimate){estimate->value, estimate->lower, estimate->upper, estimate->level,
-                                estimate->samples};
-}
-
-bandlimit_verdict bl_api_verdict(bl_verdict verdict) {
-    static const bandlimit_verdict verdicts[] = {[BL_VERDICT_PASS] = BANDLIMIT_PASS,
-                                                 [BL_VERDICT_INCONCLUSIVE] = BANDLIMIT_INCONCLUSIVE,
-                                                 [BL_VERDICT_FAIL] = BANDLIMIT_FAIL,
-                                                 [BL_VERDICT_NOT_RUN] = BANDLIMIT_NOT_RUN};
-    return verdicts[verdict];
 }
 
 bl_size bl_api_size(bandlimit_effort effort) {

@@ -19,8 +19,12 @@ static inline bl_message *bl_api_message(bandlimit_message *message) {
     return (bl_message *)message;
 }
 
-bandlimit_estimate bl_api_estimate(const bl_estimate *estimate);
-bandlimit_verdict bl_api_verdict(bl_verdict verdict);
+static inline bandlimit_estimate bl_api_estimate(const bl_estimate *estimate) {
+    bandlimit_estimate same;
+    memcpy(&same, estimate, sizeof same);
+    return same;
+}
+
 bl_size bl_api_size(bandlimit_effort effort);
 
 // Whether an object of the caller's, which begins with its size, is of the size that the library
@@ -46,9 +50,12 @@ void *bl_api_room(size_t bytes, bandlimit_message *message);
 bandlimit_status bl_api_end(bl_status status, const bandlimit_signal *signal, void *room,
                             bandlimit_message *message);
 
-// Frees the room of an object and leaves it as BANDLIMIT_INIT does.
-#define BL_API_RELEASE(object)                                                                     \
+// Frees the room of an object, after what `release` does with it, and leaves the object as
+// BANDLIMIT_INIT does.
+#define BL_API_RELEASE(object, release)                                                            \
     do {                                                                                           \
+        if ((object)->owned)                                                                       \
+            release((object)->owned);                                                              \
         free((object)->owned);                                                                     \
         BANDLIMIT_INIT(object);                                                                    \
     } while (0)

@@ -36,7 +36,7 @@ bandlimit_status bandlimit_reproduce(const char *const *names, size_t count,
     if (status != BL_OK)
         return bl_api_end(status, NULL, room, message);
     *reproduction = (bandlimit_reproduction){.bytes = sizeof *reproduction,
-                                             .verdict = bl_api_verdict(room->verdict),
+                                             .verdict = (bandlimit_verdict)room->verdict,
                                              .page = room->page,
                                              .seconds = room->seconds,
                                              .owned = room};
@@ -66,15 +66,12 @@ bandlimit_status bandlimit_figure_claim_at(const bandlimit_reproduction *reprodu
                                       .expected_lower = own->expected_lower,
                                       .expected_upper = own->expected_upper,
                                       .measured = bl_api_estimate(&own->measured),
-                                      .verdict = bl_api_verdict(own->verdict)};
+                                      .verdict = (bandlimit_verdict)own->verdict};
     return BANDLIMIT_OK;
 }
 
 void bandlimit_reproduction_free(bandlimit_reproduction *reproduction) {
-    if (!reproduction->owned)
-        return;
-    bl_reproduction_free(reproduction->owned);
-    BL_API_RELEASE(reproduction);
+    BL_API_RELEASE(reproduction, bl_reproduction_free);
 }
 
 // --- images ---
@@ -130,5 +127,6 @@ bandlimit_status bandlimit_image_read(const char *path, const char *channel, ban
 }
 
 void bandlimit_image_free(bandlimit_image *image) {
-    BL_API_RELEASE(image);
+    free(image->owned);
+    BANDLIMIT_INIT(image);
 }

@@ -63,7 +63,7 @@ bandlimit_status bandlimit_score_measure(const bandlimit_signal *signal,
                  : BL_DEVICE;
     if (status == BL_OK) {
         score->count = bl_property_count();
-        score->verdict = bl_api_verdict(bl_score_verdict(room, 1, own.strict));
+        score->verdict = (bandlimit_verdict)bl_score_verdict(room, 1, own.strict);
         score->owned = room;
     }
     return bl_api_end(status, signal, room, message);
@@ -80,7 +80,7 @@ bandlimit_status bandlimit_property_at(const bandlimit_score *score, size_t inde
     const bl_score_property *own = &room->properties[index];
     *property = (bandlimit_property){.bytes = sizeof *property,
                                      .name = bl_property_at(index)->name,
-                                     .verdict = bl_api_verdict(own->verdict),
+                                     .verdict = (bandlimit_verdict)own->verdict,
                                      .against_claim = own->against == BL_AGAINST_CLAIM,
                                      .cell = own->cell,
                                      .reason = own->reason,
@@ -99,7 +99,8 @@ const char *bandlimit_property_number(const bandlimit_score *score, size_t index
 }
 
 void bandlimit_score_free(bandlimit_score *score) {
-    BL_API_RELEASE(score);
+    free(score->owned);
+    BANDLIMIT_INIT(score);
 }
 
 // --- trades ---
@@ -173,10 +174,10 @@ bandlimit_status bandlimit_alternative_at(const bandlimit_trade *trade, size_t i
     return BANDLIMIT_OK;
 }
 
-void bandlimit_trade_free(bandlimit_trade *trade) {
-    trade_room *room = trade->owned;
-    if (!room)
-        return;
+static void close_trade(trade_room *room) {
     bl_trade_close(room->trade, &room->alternatives);
-    BL_API_RELEASE(trade);
+}
+
+void bandlimit_trade_free(bandlimit_trade *trade) {
+    BL_API_RELEASE(trade, close_trade);
 }

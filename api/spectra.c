@@ -76,10 +76,7 @@ bandlimit_status bandlimit_spectrum_measure(const bandlimit_signal *signal,
 }
 
 void bandlimit_spectrum_free(bandlimit_spectrum *spectrum) {
-    if (!spectrum->owned)
-        return;
-    bl_psd_free(spectrum->owned);
-    BL_API_RELEASE(spectrum);
+    BL_API_RELEASE(spectrum, bl_psd_free);
 }
 
 bandlimit_estimate bandlimit_spectrum_share(const bandlimit_spectrum *spectrum, double from,
@@ -119,7 +116,7 @@ bandlimit_status bandlimit_check(const bandlimit_spectrum *spectrum, bandlimit_b
     limit->lower_db = own.lower_db;
     limit->upper_db = own.upper_db;
     limit->needed_averages = own.needed_averages;
-    limit->verdict = bl_api_verdict(own.verdict);
+    limit->verdict = (bandlimit_verdict)own.verdict;
     return BANDLIMIT_OK;
 }
 
@@ -171,13 +168,13 @@ bandlimit_status bandlimit_autocorrelation_measure(const bandlimit_signal *signa
     return BANDLIMIT_OK;
 }
 
-void bandlimit_autocorrelation_free(bandlimit_autocorrelation *autocorrelation) {
-    autocorrelation_room *room = autocorrelation->owned;
-    if (!room)
-        return;
+static void free_autocorrelation(autocorrelation_room *room) {
     bl_autocorrelation_free(&room->measured);
     free(room->columns);
-    BL_API_RELEASE(autocorrelation);
+}
+
+void bandlimit_autocorrelation_free(bandlimit_autocorrelation *autocorrelation) {
+    BL_API_RELEASE(autocorrelation, free_autocorrelation);
 }
 
 // --- the histogram ---
@@ -239,9 +236,5 @@ bandlimit_status bandlimit_histogram_measure(const bandlimit_signal *signal,
 }
 
 void bandlimit_histogram_free(bandlimit_histogram *histogram) {
-    histogram_room *room = histogram->owned;
-    if (!room)
-        return;
-    bl_histogram_free(&room->measured);
-    BL_API_RELEASE(histogram);
+    BL_API_RELEASE(histogram, bl_histogram_free); // which the room begins with
 }

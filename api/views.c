@@ -96,16 +96,13 @@ bandlimit_status bandlimit_alias_row_at(const bandlimit_alias *alias, size_t ind
 }
 
 void bandlimit_alias_free(bandlimit_alias *alias) {
-    if (!alias->owned)
-        return;
-    bl_alias_free(alias->owned);
-    BL_API_RELEASE(alias);
+    BL_API_RELEASE(alias, bl_alias_free);
 }
 
 static void show_advice(bl_advice *room, bandlimit_advice *advice) {
     const bl_alias_row *chosen = &room->alias.rows[room->chosen];
     *advice = (bandlimit_advice){.bytes = sizeof *advice,
-                                 .verdict = bl_api_verdict(room->verdict),
+                                 .verdict = (bandlimit_verdict)room->verdict,
                                  .method = chosen->method,
                                  .error = bl_api_estimate(&room->error[room->chosen]),
                                  .ns = chosen->ns_per_sample,
@@ -146,8 +143,5 @@ bandlimit_status bandlimit_advise(const bandlimit_signal *signal,
 }
 
 void bandlimit_advice_free(bandlimit_advice *advice) {
-    if (!advice->owned)
-        return;
-    bl_advice_free(advice->owned);
-    BL_API_RELEASE(advice);
+    BL_API_RELEASE(advice, bl_advice_free);
 }
