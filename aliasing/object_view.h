@@ -20,26 +20,24 @@ typedef struct bl_object_view {
     uint32_t coordinates; // 0 surface, 1 solid
 } bl_object_view;
 
+// clang-format off
 #define BL_OBJECT_REAL(block, field, usual, measure, least, most, what)                            \
-    {                                                                                              \
-        .key = #field, .kind = BL_REAL, .offset = offsetof(block, object.field), .minimum = least, \
-        .maximum = most, .fallback = usual, .unit = measure, .help = what                          \
-    }
+    {#field, BL_REAL, offsetof(block, object.field), usual, measure, .minimum = least,             \
+     .maximum = most, .help = what}
+
 // The keys of bl_object_view, for a block that has it as `object`, with the file's own words of the
 // coordinates, the usual distance and tilt as text, and the nearest distance.
 #define BL_OBJECT_PARAMETERS(block, words, usual, tilted, nearest)                                 \
     BL_OBJECT_REAL(block, distance, usual, "units", nearest, 1e6, "of the eye from the centre"),   \
-        BL_OBJECT_REAL(block, fov, "45", "degrees", 0.001, 170, "of the image's width"),           \
-        BL_OBJECT_REAL(block, tilt, tilted, "degrees", -90, 90,                                    \
-                       "of the upper end towards the eye"),                                        \
-        BL_OBJECT_REAL(block, turn, "0", "degrees", -360, 360, "about the object's own axis"),     \
-        BL_OBJECT_REAL(block, scale, "8", "units", 1e-9, 1e9,                                      \
-                       "of the signal once around, or solid, in a unit"),                          \
-    {                                                                                              \
-        .key = "coordinates", .kind = BL_CHOICE, .offset = offsetof(block, object.coordinates),    \
-        .choices = words, .fallback = "surface", .unit = "",                                       \
-        .help = "angles of the surface, or places of the object for a solid signal"                \
-    }
+    BL_OBJECT_REAL(block, fov, "45", "degrees", 0.001, 170, "of the image's width"),               \
+    BL_OBJECT_REAL(block, tilt, tilted, "degrees", -90, 90, "of the upper end towards the eye"),   \
+    BL_OBJECT_REAL(block, turn, "0", "degrees", -360, 360, "about the object's own axis"),         \
+    BL_OBJECT_REAL(block, scale, "8", "units", 1e-9, 1e9,                                          \
+                   "of the signal once around, or solid, in a unit"),                              \
+    {"coordinates", BL_CHOICE, offsetof(block, object.coordinates), "surface", "",                 \
+     .choices = words,                                                                             \
+     .help = "angles of the surface, or places of the object for a solid signal"}
+// clang-format on
 
 typedef struct bl_jet_vector {
     bl_jet axis[3];

@@ -59,17 +59,19 @@ typedef enum bl_parameter_kind {
 
 enum { BL_LIST_SIZE = 4, BL_TEXT_SIZE = 512 };
 
+// As in {"size", BL_INTEGER, offsetof(block, size), "8", "cells", .minimum = 1, .maximum = 99,
+// .help = "of a side"}.
 typedef struct bl_parameter {
     const char *key; // NULL ends a list
     bl_parameter_kind kind;
     size_t offset;               // in the parameter block
-    const char *const *choices;  // BL_CHOICE: the words, NULL at the end
-    size_t number_offset;        // BL_CHOICE with ":N": where the uint32_t N stands
-    double minimum, maximum;     // BL_INTEGER, BL_REAL, BL_LIST, and the N of a choice; inclusive
     const char *fallback;        // the default, as text
     const char *unit;            // "" if none
-    const char *help;            // one line
+    double minimum, maximum;     // BL_INTEGER, BL_REAL, BL_LIST, and the N of a choice; inclusive
+    const char *const *choices;  // BL_CHOICE: the words, NULL at the end
+    size_t number_offset;        // BL_CHOICE with ":N": where the uint32_t N stands
     const char *const *examples; // optional: values that the tests try besides; NULL at the end
+    const char *help;            // one line
 } bl_parameter;
 
 // Fills a parameter block with the defaults, then with the settings of the spec. Every setting

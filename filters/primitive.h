@@ -32,33 +32,20 @@ typedef struct bl_averaging {
 
 // The keys of bl_averaging, for the parameter list of a file whose block has it as `averaging`.
 extern const char *const bl_anchor_words[];
+// clang-format off
 #define BL_AVERAGING_PARAMETERS(block)                                                             \
-    {.key = "width",                                                                               \
-     .kind = BL_REAL,                                                                              \
-     .offset = offsetof(block, averaging.width),                                                   \
-     .maximum = INFINITY,                                                                          \
-     .fallback = "0",                                                                              \
-     .unit = "units",                                                                              \
+    {"width", BL_REAL, offsetof(block, averaging.width), "0", "units", .maximum = INFINITY,        \
      .help = "of a sample, over which the value is averaged; 0: not at all"},                      \
-        {.key = "filter",                                                                          \
-         .kind = BL_CHOICE,                                                                        \
-         .offset = offsetof(block, averaging.filter),                                              \
-         .choices = bl_filter_words,                                                               \
-         .fallback = "box",                                                                        \
-         .unit = "",                                                                               \
-         .help = "that averages"},                                                                 \
-    {                                                                                              \
-        .key = "anchor", .kind = BL_CHOICE, .offset = offsetof(block, averaging.anchor),           \
-        .choices = bl_anchor_words, .fallback = "centre", .unit = "",                              \
-        .help = "where x stands in the width"                                                      \
-    }
+    {"filter", BL_CHOICE, offsetof(block, averaging.filter), "box", "",                            \
+     .choices = bl_filter_words, .help = "that averages"},                                         \
+    {"anchor", BL_CHOICE, offsetof(block, averaging.anchor), "centre", "",                         \
+     .choices = bl_anchor_words, .help = "where x stands in the width"}
 
 // A key of a primitive that takes any finite number.
 #define BL_PRIMITIVE_REAL(block, name, usual, what)                                                \
-    {                                                                                              \
-        .key = #name, .kind = BL_REAL, .offset = offsetof(block, name), .minimum = -1e300,         \
-        .maximum = 1e300, .fallback = usual, .unit = "units", .help = what                         \
-    }
+    {#name, BL_REAL, offsetof(block, name), usual, "units", .minimum = -1e300, .maximum = 1e300,   \
+     .help = what}
+// clang-format on
 
 // Where the middle of the width lies, for a sample at x.
 static inline double bl_averaging_centre(const bl_averaging *averaging, double x, double width) {

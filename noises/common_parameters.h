@@ -13,28 +13,21 @@ static const char *const bl_lattice_choices[] = {"hash", "perm256", NULL};
 // Not 1 or 2, where symmetry makes some kernels smoother than their class (t-period has these).
 static const char *const bl_period_examples[] = {"4,8,16", "3", "5,0,300,7", NULL};
 
+// clang-format off
 // uint64_t `field`; `what` it chooses, in words.
 #define BL_SEED_PARAMETER(block, field, what)                                                      \
-    {                                                                                              \
-        .key = "seed", .kind = BL_SEED, .offset = offsetof(block, field), .fallback = "0",         \
-        .unit = "", .help = "chooses " what                                                        \
-    }
+    {"seed", BL_SEED, offsetof(block, field), "0", "", .help = "chooses " what}
 
 // uint32_t dimensions, `least` to `most`; `usual` is the default, as text.
 #define BL_DIMENSIONS_PARAMETER(block, least, most, usual)                                         \
-    {                                                                                              \
-        .key = "dims", .kind = BL_INTEGER, .offset = offsetof(block, dimensions),                  \
-        .minimum = least, .maximum = most, .fallback = usual, .unit = "",                          \
-        .help = "dimensions; coordinates beyond them are ignored"                                  \
-    }
+    {"dims", BL_INTEGER, offsetof(block, dimensions), usual, "", .minimum = least,                 \
+     .maximum = most, .help = "dimensions; coordinates beyond them are ignored"}
 
 // uint32_t `field`.
 #define BL_COMPONENT_PARAMETER(block, field)                                                       \
-    {                                                                                              \
-        .key = "component", .kind = BL_INTEGER, .offset = offsetof(block, field), .maximum = 3,    \
-        .fallback = "0", .unit = "",                                                               \
-        .help = "of a vector-valued noise: independent noises of one seed"                         \
-    }
+    {"component", BL_INTEGER, offsetof(block, field), "0", "", .maximum = 3,                       \
+     .help = "of a vector-valued noise: independent noises of one seed"}
+// clang-format on
 
 // bl_lattice_settings lattice: seed, lattice, component and period, four entries of a list.
 #define BL_LATTICE_PARAMETERS(block, what) BL_LATTICE_PARAMETERS_WITH(block, what, "hash")
@@ -43,21 +36,17 @@ static const char *const bl_period_examples[] = {"4,8,16", "3", "5,0,300,7", NUL
 #define BL_LATTICE_PARAMETERS_WITH(block, what, usual)                                             \
     BL_LATTICE_PARAMETERS_OF(block, what, usual, bl_period_examples)
 
+// clang-format off
 // The same with periods of its own for the tests.
 #define BL_LATTICE_PARAMETERS_OF(block, what, usual, periods)                                      \
     BL_SEED_PARAMETER(block, lattice.seed, what),                                                  \
-        {.key = "lattice",                                                                         \
-         .kind = BL_CHOICE,                                                                        \
-         .offset = offsetof(block, lattice.kind),                                                  \
-         .choices = bl_lattice_choices,                                                            \
-         .fallback = usual,                                                                        \
-         .unit = "",                                                                               \
-         .help = "hash of the 64-bit cell, or the text's permutation of 256"},                     \
-        BL_COMPONENT_PARAMETER(block, lattice.component), {                                        \
-        .key = "period", .kind = BL_LIST, .offset = offsetof(block, lattice.period),               \
-        .maximum = 4294967295.0, .fallback = "0", .unit = "cells",                                 \
-        .help = "after which the noise repeats, one number or one an axis; 0: never",              \
-        .examples = periods                                                                        \
-    }
+    {"lattice", BL_CHOICE, offsetof(block, lattice.kind), usual, "",                               \
+     .choices = bl_lattice_choices,                                                                \
+     .help = "hash of the 64-bit cell, or the text's permutation of 256"},                         \
+    BL_COMPONENT_PARAMETER(block, lattice.component),                                              \
+    {"period", BL_LIST, offsetof(block, lattice.period), "0", "cells", .maximum = 4294967295.0,    \
+     .examples = periods,                                                                          \
+     .help = "after which the noise repeats, one number or one an axis; 0: never"}
+// clang-format on
 
 #endif

@@ -50,7 +50,7 @@ static bl_status build(void *block, bl_opener *open, bl_message *message) {
 
 static const bl_parameter parameters[] = {BL_OCTAVES_PARAMETERS(fractal_parameters, sum),
                                           BL_OCTAVES_SPAN_PARAMETERS(fractal_parameters),
-                                          {.key = NULL}};
+                                          {0}};
 
 static float textbook(float x, float y, float z) {
     float sum = 0;

@@ -289,29 +289,14 @@ static float textbook(float x, float y, float z) {
 
 static const bl_parameter parameters[] = {
     BL_SEED_PARAMETER(gardner_parameters, seed, "the place; 0 is the text's"),
-    {.key = "terms",
-     .kind = BL_INTEGER,
-     .offset = offsetof(gardner_parameters, terms),
-     .minimum = 1,
-     .maximum = TERMS_MOST,
-     .fallback = "5",
-     .unit = "",
-     .help = "how many products of waves"},
-    {.key = "width",
-     .kind = BL_REAL,
-     .offset = offsetof(gardner_parameters, width),
-     .maximum = INFINITY,
-     .fallback = "0",
-     .unit = "units",
+    {"terms", BL_INTEGER, offsetof(gardner_parameters, terms), "5", "", .minimum = 1,
+     .maximum = TERMS_MOST, .help = "how many products of waves"},
+    {"width", BL_REAL, offsetof(gardner_parameters, width), "0", "units", .maximum = INFINITY,
      .help = "between samples: terms beyond 1/(2 width) are removed; 0 keeps all"},
-    {.key = "clamp",
-     .kind = BL_CHOICE,
-     .offset = offsetof(gardner_parameters, clamp),
+    {"clamp", BL_CHOICE, offsetof(gardner_parameters, clamp), "fade", "",
      .choices = bl_octave_clamps,
-     .fallback = "fade",
-     .unit = "",
      .help = "how terms beyond the Nyquist limit of the width are removed"},
-    {.key = NULL}};
+    {0}};
 
 BL_NOISE_DESCRIPTOR(gardner_sum) = {
     .name = "gardner",

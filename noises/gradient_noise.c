@@ -128,22 +128,13 @@ static void describe(const void *block, bl_facts *facts) {
 
 static const bl_parameter parameters[] = {
     BL_LATTICE_PARAMETERS(gradient_parameters, "the gradients"),
-    {.key = "fade",
-     .kind = BL_CHOICE,
-     .offset = offsetof(gradient_parameters, fade),
-     .choices = bl_gradient_fades,
-     .fallback = "cubic",
-     .unit = "",
-     .help = "the blend between the corners"},
-    {.key = "gradients",
-     .kind = BL_CHOICE,
-     .offset = offsetof(gradient_parameters, gradients),
+    {"fade", BL_CHOICE, offsetof(gradient_parameters, fade), "cubic", "",
+     .choices = bl_gradient_fades, .help = "the blend between the corners"},
+    {"gradients", BL_CHOICE, offsetof(gradient_parameters, gradients), "sphere", "",
      .choices = bl_gradient_modes,
-     .fallback = "sphere",
-     .unit = "",
      .help = "how gradients are drawn: uniform on the sphere, by rejection, or edges of a cube"},
     BL_DIMENSIONS_PARAMETER(gradient_parameters, 1, 4, "3"),
-    {.key = NULL}};
+    {0}};
 
 BL_NOISE_DESCRIPTOR(gradient_noise) = {
     .name = "gnoise",

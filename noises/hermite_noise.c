@@ -301,7 +301,7 @@ static float textbook(float x, float y, float z) {
 }
 
 static const bl_parameter parameters[] = {
-    BL_LATTICE_PARAMETERS(hermite_parameters, "the values and the tangents"), {.key = NULL}};
+    BL_LATTICE_PARAMETERS(hermite_parameters, "the values and the tangents"), {0}};
 
 BL_NOISE_DESCRIPTOR(hermite_noise) = {
     .name = "hermite",

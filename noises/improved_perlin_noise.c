@@ -129,7 +129,7 @@ static float textbook(float x, float y, float z) {
 }
 
 static const bl_parameter parameters[] = {
-    BL_LATTICE_PARAMETERS_WITH(improved_parameters, "the gradients", "perm256"), {.key = NULL}};
+    BL_LATTICE_PARAMETERS_WITH(improved_parameters, "the gradients", "perm256"), {0}};
 
 BL_NOISE_DESCRIPTOR(improved_perlin_noise) = {
     .name = "perlin2002",

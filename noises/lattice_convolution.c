@@ -52,17 +52,11 @@ static const char *const kernels[] = {"exact", "table:N", NULL};
 
 static const bl_parameter parameters[] = {
     BL_LATTICE_PARAMETERS(convolution_parameters, "the lattice values"),
-    {.key = "kernel",
-     .kind = BL_CHOICE,
-     .offset = offsetof(convolution_parameters, kernel),
-     .choices = kernels,
+    {"kernel", BL_CHOICE, offsetof(convolution_parameters, kernel), "exact", "entries a unit",
+     .minimum = 1, .maximum = 1000000, .choices = kernels,
      .number_offset = offsetof(convolution_parameters, table_rate),
-     .minimum = 1,
-     .maximum = 1000000,
-     .fallback = "exact",
-     .unit = "entries a unit",
      .help = "exact, or the text's table in squared distance"},
-    {.key = NULL}};
+    {0}};
 
 // --- the reference ------------------------------------------------------------------------------
 

@@ -89,18 +89,12 @@ static float textbook(float x, float y, float z) {
 static const bl_parameter parameters[] = {
     BL_SEED_PARAMETER(midpoint_parameters, of.tile.seed, "the displacements"),
     BL_TILE_DIMENSIONS_PARAMETER(midpoint_parameters, of.tile.dimensions, 1, 2, "2"),
-    {.key = "hurst",
-     .kind = BL_REAL,
-     .offset = offsetof(midpoint_parameters, of.hurst),
-     .minimum = 0,
-     .maximum = 1,
-     .fallback = "0.5",
-     .unit = "",
-     .help = "H: a displacement over s has the standard deviation s^H"},
+    {"hurst", BL_REAL, offsetof(midpoint_parameters, of.hurst), "0.5", "", .minimum = 0,
+     .maximum = 1, .help = "H: a displacement over s has the standard deviation s^H"},
     BL_TILE_SIZE_PARAMETER(midpoint_parameters, of.tile.size, "256, 64 in 1, 2 dimensions"),
     BL_TILE_SAMPLES_PARAMETER(midpoint_parameters, of.tile.samples),
     BL_TILE_INTERP_PARAMETER(midpoint_parameters, of.tile.interp, "catmull-rom"),
-    {.key = NULL}};
+    {0}};
 
 BL_NOISE_DESCRIPTOR(midpoint_displacement) = {
     .name = "midpoint",

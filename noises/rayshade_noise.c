@@ -128,14 +128,9 @@ static float textbook(float x, float y, float z) {
 
 static const bl_parameter parameters[] = {
     BL_LATTICE_PARAMETERS(rayshade_parameters, "the lattice numbers"),
-    {.key = "weights",
-     .kind = BL_CHOICE,
-     .offset = offsetof(rayshade_parameters, weights),
-     .choices = weight_choices,
-     .fallback = "scurve",
-     .unit = "",
-     .help = "the blend between the corners: 3u^2 - 2u^3, or linear"},
-    {.key = NULL}};
+    {"weights", BL_CHOICE, offsetof(rayshade_parameters, weights), "scurve", "",
+     .choices = weight_choices, .help = "the blend between the corners: 3u^2 - 2u^3, or linear"},
+    {0}};
 
 BL_NOISE_DESCRIPTOR(rayshade_noise) = {
     .name = "rayshade",

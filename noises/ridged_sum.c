@@ -56,23 +56,11 @@ static const char *const lacunarities[] = {"2.17", NULL};
 static const bl_parameter parameters[] = {
     BL_OCTAVES_PARAMETERS(ridged_parameters, sum),
     BL_OCTAVES_COUNT_PARAMETERS(ridged_parameters, lacunarities),
-    {.key = "gain",
-     .kind = BL_REAL,
-     .offset = offsetof(ridged_parameters, gain),
-     .minimum = 0,
-     .maximum = 4,
-     .fallback = "2",
-     .unit = "",
+    {"gain", BL_REAL, offsetof(ridged_parameters, gain), "2", "", .minimum = 0, .maximum = 4,
      .help = "of an octave as the weight of the next"},
-    {.key = "offset",
-     .kind = BL_REAL,
-     .offset = offsetof(ridged_parameters, offset),
-     .minimum = 0.5,
-     .maximum = 2,
-     .fallback = "1",
-     .unit = "",
+    {"offset", BL_REAL, offsetof(ridged_parameters, offset), "1", "", .minimum = 0.5, .maximum = 2,
      .help = "the height of a ridge, before it is squared"},
-    {.key = NULL}};
+    {0}};
 
 static float textbook(float x, float y, float z) {
     float sum = 0, weight = 1, amplitude = 1;

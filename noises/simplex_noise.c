@@ -282,14 +282,9 @@ static const char *const period_examples[] = {"6,9,12", "3", "6,0,300,9", NULL};
 static const bl_parameter parameters[] = {
     BL_LATTICE_PARAMETERS_OF(simplex_parameters, "the gradients", "hash", period_examples),
     BL_DIMENSIONS_PARAMETER(simplex_parameters, 2, 4, "3"),
-    {.key = "radius2",
-     .kind = BL_CHOICE,
-     .offset = offsetof(simplex_parameters, radius2),
-     .choices = radius_choices,
-     .fallback = "0.5",
-     .unit = "units^2",
-     .help = "squared radius of the kernel; 0.6 is not continuous"},
-    {.key = NULL}};
+    {"radius2", BL_CHOICE, offsetof(simplex_parameters, radius2), "0.5", "units^2",
+     .choices = radius_choices, .help = "squared radius of the kernel; 0.6 is not continuous"},
+    {0}};
 
 BL_NOISE_DESCRIPTOR(simplex_noise) = {
     .name = "simplex",

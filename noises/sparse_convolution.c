@@ -71,26 +71,13 @@ static const char *const kernels[] = {"exact", "table:N", "cosine", "gaussian", 
 #define AT(field) offsetof(sparse_parameters, field)
 static const bl_parameter parameters[] = {
     BL_LATTICE_PARAMETERS(sparse_parameters, "the impulses"),
-    {.key = "impulses",
-     .kind = BL_INTEGER,
-     .offset = AT(impulses),
-     .minimum = 1,
-     .maximum = IMPULSES_MOST,
-     .fallback = "3",
-     .unit = "a cell",
+    {"impulses", BL_INTEGER, AT(impulses), "3", "a cell", .minimum = 1, .maximum = IMPULSES_MOST,
      .help = "impulses in each cell; the sum is divided by it"},
     IMPULSE_COUNT_PARAMETER(sparse_parameters, "fixed"),
-    {.key = "kernel",
-     .kind = BL_CHOICE,
-     .offset = AT(kernel),
-     .choices = kernels,
-     .number_offset = AT(table_rate),
-     .minimum = 1,
-     .maximum = 1000000,
-     .fallback = "exact",
-     .unit = "entries a unit",
+    {"kernel", BL_CHOICE, AT(kernel), "exact", "entries a unit", .minimum = 1, .maximum = 1000000,
+     .choices = kernels, .number_offset = AT(table_rate),
      .help = "exact Catmull-Rom, the text's table of it, or another window"},
-    {.key = NULL}};
+    {0}};
 #undef AT
 
 static bl_profile profile_of(const sparse_parameters *p) {

@@ -86,25 +86,14 @@ static float textbook(float x, float y, float z) {
 static const bl_parameter parameters[] = {
     BL_SEED_PARAMETER(additions_parameters, of.tile.seed, "the displacements"),
     BL_TILE_DIMENSIONS_PARAMETER(additions_parameters, of.tile.dimensions, 1, 2, "2"),
-    {.key = "hurst",
-     .kind = BL_REAL,
-     .offset = offsetof(additions_parameters, of.hurst),
-     .minimum = 0,
-     .maximum = 1,
-     .fallback = "0.5",
-     .unit = "",
-     .help = "H: an addition at the spacing s has the standard deviation s^H"},
-    {.key = "lacunarity",
-     .kind = BL_CHOICE,
-     .offset = offsetof(additions_parameters, lacunarity),
-     .choices = lacunarities,
-     .fallback = "2",
-     .unit = "",
-     .help = "the ratio of the spacings of two levels"},
+    {"hurst", BL_REAL, offsetof(additions_parameters, of.hurst), "0.5", "", .minimum = 0,
+     .maximum = 1, .help = "H: an addition at the spacing s has the standard deviation s^H"},
+    {"lacunarity", BL_CHOICE, offsetof(additions_parameters, lacunarity), "2", "",
+     .choices = lacunarities, .help = "the ratio of the spacings of two levels"},
     BL_TILE_SIZE_PARAMETER(additions_parameters, of.tile.size, "256, 64 in 1, 2 dimensions"),
     BL_TILE_SAMPLES_PARAMETER(additions_parameters, of.tile.samples),
     BL_TILE_INTERP_PARAMETER(additions_parameters, of.tile.interp, "catmull-rom"),
-    {.key = NULL}};
+    {0}};
 
 BL_NOISE_DESCRIPTOR(successive_additions) = {
     .name = "additions",

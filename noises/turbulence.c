@@ -46,14 +46,9 @@ static const char *const losses[] = {"mean", "zero", NULL};
 static const bl_parameter parameters[] = {
     BL_OCTAVES_PARAMETERS(turbulence_parameters, sum),
     BL_OCTAVES_SPAN_PARAMETERS(turbulence_parameters),
-    {.key = "lost",
-     .kind = BL_CHOICE,
-     .offset = offsetof(turbulence_parameters, lost),
-     .choices = losses,
-     .fallback = "mean",
-     .unit = "",
+    {"lost", BL_CHOICE, offsetof(turbulence_parameters, lost), "mean", "", .choices = losses,
      .help = "what a removed octave leaves: its mean, or zero as in the text"},
-    {.key = NULL}};
+    {0}};
 
 static float textbook(float x, float y, float z) {
     float sum = 0;

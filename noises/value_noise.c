@@ -115,15 +115,10 @@ static void describe(const void *block, bl_facts *facts) {
 
 static const bl_parameter parameters[] = {
     BL_LATTICE_PARAMETERS(value_parameters, "the lattice numbers"),
-    {.key = "interp",
-     .kind = BL_CHOICE,
-     .offset = offsetof(value_parameters, interp),
-     .choices = bl_value_interps,
-     .fallback = "catmull-rom",
-     .unit = "",
-     .help = "the kernel between the lattice points"},
+    {"interp", BL_CHOICE, offsetof(value_parameters, interp), "catmull-rom", "",
+     .choices = bl_value_interps, .help = "the kernel between the lattice points"},
     BL_DIMENSIONS_PARAMETER(value_parameters, 1, 4, "3"),
-    {.key = NULL}};
+    {0}};
 
 BL_NOISE_DESCRIPTOR(value_noise) = {
     .name = "vnoise",

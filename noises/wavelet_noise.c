@@ -85,21 +85,11 @@ static const bl_parameter parameters[] = {
     BL_SEED_PARAMETER(wavelet_parameters, of.tile.seed, "the random numbers"),
     BL_TILE_DIMENSIONS_PARAMETER(wavelet_parameters, of.tile.dimensions, 2, 3, "3"),
     BL_TILE_SIZE_PARAMETER(wavelet_parameters, of.tile.size, "64, 32 in 2, 3 dimensions"),
-    {.key = "slice",
-     .kind = BL_CHOICE,
-     .offset = offsetof(wavelet_parameters, of.projected),
-     .choices = slices,
-     .fallback = "none",
-     .unit = "",
+    {"slice", BL_CHOICE, offsetof(wavelet_parameters, of.projected), "none", "", .choices = slices,
      .help = "the noise, or its projection, whose slices across the normal are band-pass"},
-    {.key = "normal",
-     .kind = BL_CHOICE,
-     .offset = offsetof(wavelet_parameters, of.normal),
-     .choices = normals,
-     .fallback = "z",
-     .unit = "",
+    {"normal", BL_CHOICE, offsetof(wavelet_parameters, of.normal), "z", "", .choices = normals,
      .help = "of slice=projected"},
-    {.key = NULL}};
+    {0}};
 
 // The 27 numbers around the point, each times the weights of three quadratic B-splines.
 static float textbook(float x, float y, float z) {

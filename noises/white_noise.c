@@ -196,16 +196,10 @@ static const bl_parameter parameters[] = {
     BL_SEED_PARAMETER(white_parameters, seed, "the numbers"),
     BL_DIMENSIONS_PARAMETER(white_parameters, 1, 4, "3"),
     BL_COMPONENT_PARAMETER(white_parameters, component),
-    {.key = "cell",
-     .kind = BL_REAL,
-     .offset = offsetof(white_parameters, cell),
-     .minimum = 0,
-     .maximum = 256,
-     .fallback = "0",
-     .unit = "units",
-     .help = "the side of cells in which the noise is constant; 0: every point has its own",
-     .examples = cell_examples},
-    {.key = NULL}};
+    {"cell", BL_REAL, offsetof(white_parameters, cell), "0", "units", .minimum = 0, .maximum = 256,
+     .examples = cell_examples,
+     .help = "the side of cells in which the noise is constant; 0: every point has its own"},
+    {0}};
 
 BL_NOISE_DESCRIPTOR(white_noise) = {
     .name = "white",

@@ -295,23 +295,12 @@ static float textbook(float x, float y, float z) {
 
 static const bl_parameter parameters[] = {
     BL_LATTICE_PARAMETERS(wiener_parameters, "the lattice numbers"),
-    {.key = "covariance",
-     .kind = BL_CHOICE,
-     .offset = offsetof(wiener_parameters, covariance),
+    {"covariance", BL_CHOICE, offsetof(wiener_parameters, covariance), "gaussian", "",
      .choices = covariance_choices,
-     .fallback = "gaussian",
-     .unit = "",
      .help = "that the field between the lattice points is taken to have, along each axis"},
-    {.key = "width",
-     .kind = BL_REAL,
-     .offset = offsetof(wiener_parameters, width),
-     .minimum = 0.5,
-     .maximum = 2,
-     .fallback = "1",
-     .unit = "cells",
-     .help = "of the covariance",
-     .examples = width_examples},
-    {.key = NULL}};
+    {"width", BL_REAL, offsetof(wiener_parameters, width), "1", "cells", .minimum = 0.5,
+     .maximum = 2, .examples = width_examples, .help = "of the covariance"},
+    {0}};
 
 BL_NOISE_DESCRIPTOR(wiener_noise) = {
     .name = "wiener",

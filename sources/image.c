@@ -24,17 +24,11 @@ enum { LARGEST_PART = 65535 };
 
 static const bl_parameter image_parameters[] = {
     BL_SPACING_PARAMETER(image_settings, "0", "between pixels; 0: from the file, else 1"),
-    {.key = "part",
-     .kind = BL_REAL,
-     .offset = offsetof(image_settings, part),
-     .minimum = -1,
-     .maximum = LARGEST_PART,
-     .fallback = "-1",
-     .unit = "",
-     .help = "of a multi-part file, from 0"},
+    {"part", BL_REAL, offsetof(image_settings, part), "-1", "", .minimum = -1,
+     .maximum = LARGEST_PART, .help = "of a multi-part file, from 0"},
     BL_MEMORY_PARAMETER(image_settings, "held at most; a larger image is read in blocks"),
     BL_WRAP_PARAMETERS(image_settings, "pixels"),
-    {.key = NULL}};
+    {0}};
 
 static const char *const image_keys[] = {"channel", "spacing", "part", "memory",
                                          "wrap",    "interp",  NULL};

@@ -45,21 +45,11 @@ typedef struct plugin_block {
     void *user;            // owned
 } plugin_block;
 
-static const bl_parameter plugin_parameters[] = {{.key = "seed",
-                                                  .kind = BL_SEED,
-                                                  .offset = offsetof(plugin_block, seed),
-                                                  .fallback = "0",
-                                                  .unit = "",
-                                                  .help = "given to the function"},
-                                                 {.key = "dims",
-                                                  .kind = BL_INTEGER,
-                                                  .offset = offsetof(plugin_block, dims),
-                                                  .minimum = 0,
-                                                  .maximum = BL_AXES,
-                                                  .fallback = "0",
-                                                  .unit = "",
-                                                  .help = "dimensions; 0: what it states, else 3"},
-                                                 {.key = NULL}};
+static const bl_parameter plugin_parameters[] = {
+    {"seed", BL_SEED, offsetof(plugin_block, seed), "0", "", .help = "given to the function"},
+    {"dims", BL_INTEGER, offsetof(plugin_block, dims), "0", "", .minimum = 0, .maximum = BL_AXES,
+     .help = "dimensions; 0: what it states, else 3"},
+    {0}};
 
 // --- calls into the plugin ---
 

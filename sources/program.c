@@ -65,29 +65,14 @@ typedef struct program_block {
     child_pool *pool;        // owned
 } program_block;
 
-static const bl_parameter program_parameters[] = {{.key = "seed",
-                                                   .kind = BL_SEED,
-                                                   .offset = offsetof(program_block, seed),
-                                                   .fallback = "0",
-                                                   .unit = "",
-                                                   .help = "put where {seed} stands in the words"},
-                                                  {.key = "dims",
-                                                   .kind = BL_INTEGER,
-                                                   .offset = offsetof(program_block, dims),
-                                                   .minimum = 1,
-                                                   .maximum = BL_AXES,
-                                                   .fallback = "3",
-                                                   .unit = "",
-                                                   .help = "dimensions"},
-                                                  {.key = "timeout",
-                                                   .kind = BL_REAL,
-                                                   .offset = offsetof(program_block, timeout),
-                                                   .minimum = 0.001,
-                                                   .maximum = 1e6,
-                                                   .fallback = "10",
-                                                   .unit = "s",
-                                                   .help = "in which the program must move a byte"},
-                                                  {.key = NULL}};
+static const bl_parameter program_parameters[] = {
+    {"seed", BL_SEED, offsetof(program_block, seed), "0", "",
+     .help = "put where {seed} stands in the words"},
+    {"dims", BL_INTEGER, offsetof(program_block, dims), "3", "", .minimum = 1, .maximum = BL_AXES,
+     .help = "dimensions"},
+    {"timeout", BL_REAL, offsetof(program_block, timeout), "10", "s", .minimum = 0.001,
+     .maximum = 1e6, .help = "in which the program must move a byte"},
+    {0}};
 
 // --- complaints ---
 

@@ -35,31 +35,16 @@ typedef struct raw_block {
 
 #define AT(member) offsetof(raw_settings, member)
 static const bl_parameter raw_parameters[] = {
-    {.key = "size",
-     .kind = BL_TEXT,
-     .offset = AT(size),
-     .fallback = "",
-     .unit = "samples",
+    {"size", BL_TEXT, AT(size), "", "samples",
      .help = "along each axis, as 128x128x128; one to four axes"},
-    {.key = "dtype",
-     .kind = BL_CHOICE,
-     .offset = AT(type),
-     .choices = types,
-     .fallback = "float32",
-     .unit = "",
+    {"dtype", BL_CHOICE, AT(type), "float32", "", .choices = types,
      .help = "of a sample, little-endian; integers are divided by their full scale"},
-    {.key = "offset",
-     .kind = BL_REAL,
-     .offset = AT(offset),
-     .minimum = 0,
-     .maximum = 0x1p52,
-     .fallback = "0",
-     .unit = "bytes",
+    {"offset", BL_REAL, AT(offset), "0", "bytes", .minimum = 0, .maximum = 0x1p52,
      .help = "of a header that is skipped"},
     BL_SPACING_PARAMETER(raw_settings, "1", "between samples"),
     BL_WRAP_PARAMETERS(raw_settings, "samples"),
     BL_MEMORY_PARAMETER(raw_settings, "held at most; a larger file is refused"),
-    {.key = NULL}};
+    {0}};
 #undef AT
 
 static void raw_span(const void *source, const size_t index[BL_AXES], size_t count, float *out) {

@@ -37,23 +37,18 @@ static void describe(const void *block, bl_facts *facts) {
 }
 
 static const char *const words[] = {"none", "exact", "wrong", NULL};
+// clang-format off
 #define NUMBER(field)                                                                              \
-    {                                                                                              \
-        .key = #field, .kind = BL_REAL, .offset = offsetof(ripple_parameters, field),              \
-        .minimum = -1e6, .maximum = 1e6, .fallback = "0", .unit = "", .help = ""                   \
-    }
+    {#field, BL_REAL, offsetof(ripple_parameters, field), "0", "", .minimum = -1e6,                \
+     .maximum = 1e6, .help = ""}
+// clang-format on
 static const bl_parameter parameters[] = {NUMBER(mean),
                                           NUMBER(amplitude),
                                           NUMBER(fx),
                                           NUMBER(fy),
-                                          {.key = "filter",
-                                           .kind = BL_CHOICE,
-                                           .offset = offsetof(ripple_parameters, filter),
-                                           .choices = words,
-                                           .fallback = "none",
-                                           .unit = "",
-                                           .help = ""},
-                                          {.key = NULL}};
+                                          {"filter", BL_CHOICE, offsetof(ripple_parameters, filter),
+                                           "none", "", .choices = words, .help = ""},
+                                          {0}};
 
 static const bl_definition ripple = {.name = "ripple",
                                      .title = "",

@@ -13,28 +13,12 @@ typedef struct block {
 static const char *const kernels[] = {"exact", "table:N", NULL};
 
 static const bl_parameter parameters[] = {
-    {.key = "seed", .kind = BL_SEED, .offset = offsetof(block, seed), .fallback = "0"},
-    {.key = "spacing",
-     .kind = BL_REAL,
-     .offset = offsetof(block, spacing),
-     .minimum = 1e-9,
-     .maximum = 1e9,
-     .fallback = "1"},
-    {.key = "impulses",
-     .kind = BL_INTEGER,
-     .offset = offsetof(block, impulses),
-     .minimum = 1,
-     .maximum = 64,
-     .fallback = "3"},
-    {.key = "kernel",
-     .kind = BL_CHOICE,
-     .offset = offsetof(block, kernel),
-     .choices = kernels,
-     .number_offset = offsetof(block, entries),
-     .minimum = 1,
-     .maximum = 1000,
-     .fallback = "exact"},
-    {.key = NULL}};
+    {"seed", BL_SEED, offsetof(block, seed), "0", ""},
+    {"spacing", BL_REAL, offsetof(block, spacing), "1", "", .minimum = 1e-9, .maximum = 1e9},
+    {"impulses", BL_INTEGER, offsetof(block, impulses), "3", "", .minimum = 1, .maximum = 64},
+    {"kernel", BL_CHOICE, offsetof(block, kernel), "exact", "", .minimum = 1, .maximum = 1000,
+     .choices = kernels, .number_offset = offsetof(block, entries)},
+    {0}};
 
 static bl_status read_text(const char *text, block *out, bl_message *message) {
     bl_spec spec;
@@ -77,13 +61,8 @@ static void test_the_canonical_text_reads_back_as_the_same_block(void **state) {
 
 static void test_a_default_written_otherwise_is_left_out_of_the_canonical_text(void **state) {
     (void)state;
-    static const bl_parameter half[] = {{.key = "spacing",
-                                         .kind = BL_REAL,
-                                         .offset = offsetof(block, spacing),
-                                         .minimum = 0,
-                                         .maximum = 1,
-                                         .fallback = "1/2"},
-                                        {.key = NULL}};
+    static const bl_parameter half[] = {
+        {"spacing", BL_REAL, offsetof(block, spacing), "1/2", "", .minimum = 0, .maximum = 1}, {0}};
     const double values[] = {0.5, 0.25};
     const char *texts[] = {"n", "n:spacing=0.25"};
     for (int i = 0; i < 2; i++) {
@@ -97,13 +76,9 @@ static void test_a_default_written_otherwise_is_left_out_of_the_canonical_text(v
 // "inf" where the maximum is infinite, and nowhere else.
 static void test_infinity_is_a_number_where_no_maximum_forbids_it(void **state) {
     (void)state;
-    static const bl_parameter open_ended[] = {{.key = "spacing",
-                                               .kind = BL_REAL,
-                                               .offset = offsetof(block, spacing),
-                                               .minimum = 0,
-                                               .maximum = INFINITY,
-                                               .fallback = "0"},
-                                              {.key = NULL}};
+    static const bl_parameter open_ended[] = {
+        {"spacing", BL_REAL, offsetof(block, spacing), "0", "", .minimum = 0, .maximum = INFINITY},
+        {0}};
     static const char *const right[] = {"n:spacing=inf", "n:spacing=infinity"};
     static const char *const wrong[] = {"n:spacing=-inf", "n:spacing=nan",   "n:spacing=1e999",
                                         "n:spacing=info", "n:spacing=inf/2", "n:spacing=-1"};
@@ -204,14 +179,10 @@ typedef struct wide_block {
 } wide_block;
 
 static const bl_parameter wide_parameters[] = {
-    {.key = "list",
-     .kind = BL_LIST,
-     .offset = offsetof(wide_block, list),
-     .maximum = 100,
-     .fallback = "0"},
-    {.key = "text", .kind = BL_TEXT, .offset = offsetof(wide_block, text), .fallback = ""},
-    {.key = "basis", .kind = BL_NESTED, .offset = offsetof(wide_block, basis), .fallback = "g"},
-    {.key = NULL}};
+    {"list", BL_LIST, offsetof(wide_block, list), "0", "", .maximum = 100},
+    {"text", BL_TEXT, offsetof(wide_block, text), "", ""},
+    {"basis", BL_NESTED, offsetof(wide_block, basis), "g", ""},
+    {0}};
 
 static bl_status read_wide(const char *text, wide_block *out, bl_message *message) {
     bl_spec spec;

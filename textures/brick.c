@@ -109,7 +109,7 @@ static void describe(const void *block, bl_facts *facts) {
 
 static const bl_parameter parameters[] = {BL_BRICK_PARAMETERS(brick_parameters, sizes),
                                           BL_SEEING_PARAMETERS(brick_parameters, filter_words),
-                                          {.key = NULL}};
+                                          {0}};
 
 BL_TEXTURE_DESCRIPTOR(brick) = {.name = "brick",
                                 .title = "bricks in mortar",

@@ -30,12 +30,12 @@ double bl_brick_shift(double row);
 double bl_brick_average(const bl_brick *brick, const double at[BL_AXES],
                         const double width[BL_AXES]);
 
+// clang-format off
 // The keys of bl_brick_sizes, for a block that has them as `field`.
 #define BL_BRICK_LENGTH_(block, field, name, usual, what)                                          \
-    {                                                                                              \
-        .key = #name, .kind = BL_REAL, .offset = offsetof(block, field.name), .minimum = 1e-6,     \
-        .maximum = 1e6, .fallback = usual, .unit = "units", .help = what                           \
-    }
+    {#name, BL_REAL, offsetof(block, field.name), usual, "units", .minimum = 1e-6,                 \
+     .maximum = 1e6, .help = what}
+// clang-format on
 #define BL_BRICK_PARAMETERS(block, field)                                                          \
     BL_BRICK_LENGTH_(block, field, brick_width, "0.25", "of a brick"),                             \
         BL_BRICK_LENGTH_(block, field, brick_height, "0.08", "of a brick"),                        \

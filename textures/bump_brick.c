@@ -146,16 +146,11 @@ static void describe(const void *block, bl_facts *facts) {
 }
 
 static const bl_parameter parameters[] = {BL_BRICK_PARAMETERS(bump_brick_parameters, sizes),
-                                          {.key = "depth",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(bump_brick_parameters, depth),
-                                           .minimum = -1e6,
-                                           .maximum = 1e6,
-                                           .fallback = "0.003",
-                                           .unit = "units",
+                                          {"depth", BL_REAL, offsetof(bump_brick_parameters, depth),
+                                           "0.003", "units", .minimum = -1e6, .maximum = 1e6,
                                            .help = "of the grooves; below 0 they stand out"},
                                           BL_SEEING_PARAMETERS(bump_brick_parameters, filter_words),
-                                          {.key = NULL}};
+                                          {0}};
 
 BL_TEXTURE_DESCRIPTOR(bump_brick) = {
     .name = "bumpbrick",

@@ -72,16 +72,10 @@ static void describe(const void *block, bl_facts *facts) {
 }
 
 static const bl_parameter parameters[] = {
-    {.key = "size",
-     .kind = BL_REAL,
-     .offset = offsetof(checkerboard_parameters, size),
-     .minimum = 1e-6,
-     .maximum = 1e6,
-     .fallback = "1",
-     .unit = "units",
-     .help = "of a square"},
+    {"size", BL_REAL, offsetof(checkerboard_parameters, size), "1", "units", .minimum = 1e-6,
+     .maximum = 1e6, .help = "of a square"},
     BL_SEEING_PARAMETERS(checkerboard_parameters, filter_words),
-    {.key = NULL}};
+    {0}};
 
 BL_TEXTURE_DESCRIPTOR(checkerboard) = {
     .name = "checkerboard",

@@ -138,29 +138,14 @@ static void describe(const void *block, bl_facts *facts) {
 }
 
 static const bl_parameter parameters[] = {
-    {.key = "seed",
-     .kind = BL_SEED,
-     .offset = offsetof(cloud_plane_parameters, seed),
-     .fallback = "0",
-     .unit = "",
+    {"seed", BL_SEED, offsetof(cloud_plane_parameters, seed), "0", "",
      .help = "of the place; 0 is the text's"},
-    {.key = "terms",
-     .kind = BL_INTEGER,
-     .offset = offsetof(cloud_plane_parameters, terms),
-     .minimum = 1,
-     .maximum = TERMS_MOST,
-     .fallback = "5",
-     .unit = "",
-     .help = "how many products of waves"},
-    {.key = "contrast",
-     .kind = BL_REAL,
-     .offset = offsetof(cloud_plane_parameters, contrast),
-     .maximum = 100,
-     .fallback = "1",
-     .unit = "",
+    {"terms", BL_INTEGER, offsetof(cloud_plane_parameters, terms), "5", "", .minimum = 1,
+     .maximum = TERMS_MOST, .help = "how many products of waves"},
+    {"contrast", BL_REAL, offsetof(cloud_plane_parameters, contrast), "1", "", .maximum = 100,
      .help = "what the sum is multiplied by; 2.5 makes the thickest cloud white"},
     BL_SEEING_PARAMETERS(cloud_plane_parameters, filter_words),
-    {.key = NULL}};
+    {0}};
 
 BL_TEXTURE_DESCRIPTOR(cloud_plane) = {
     .name = "cloudplane",

@@ -172,30 +172,15 @@ static void describe(const void *block, bl_facts *facts) {
 }
 
 static const bl_parameter parameters[] = {
-    {.key = "path",
-     .kind = BL_TEXT,
-     .offset = offsetof(image_parameters, path),
-     .fallback = "",
-     .unit = "",
+    {"path", BL_TEXT, offsetof(image_parameters, path), "", "",
      .help = "of an image file; none: a built-in card"},
     BL_NOISE_SOURCE_PARAMETERS(image_parameters, noise, "gnoise"),
-    {.key = "amount",
-     .kind = BL_REAL,
-     .offset = offsetof(image_parameters, amount),
-     .maximum = 10,
-     .fallback = "0.2",
-     .unit = "units",
+    {"amount", BL_REAL, offsetof(image_parameters, amount), "0.2", "units", .maximum = 10,
      .help = "of the shift, times the noise; 0: the picture as it is"},
-    {.key = "frequency",
-     .kind = BL_REAL,
-     .offset = offsetof(image_parameters, frequency),
-     .minimum = 1e-6,
-     .maximum = 1e6,
-     .fallback = "4",
-     .unit = "cells per unit",
-     .help = "of the noise"},
+    {"frequency", BL_REAL, offsetof(image_parameters, frequency), "4", "cells per unit",
+     .minimum = 1e-6, .maximum = 1e6, .help = "of the noise"},
     BL_SEEING_PARAMETERS(image_parameters, filter_words),
-    {.key = NULL}};
+    {0}};
 
 BL_TEXTURE_DESCRIPTOR(image) = {
     .name = "image",

@@ -177,28 +177,14 @@ static void describe(const void *block, bl_facts *facts) {
         facts->period[a] = p->sum->facts.period[a] / p->scale;
 }
 
-static const bl_parameter parameters[] = {{.key = "seed",
-                                           .kind = BL_SEED,
-                                           .offset = offsetof(marble_parameters, seed),
-                                           .fallback = "0",
-                                           .unit = "",
-                                           .help = "of the noise"},
-                                          {.key = "basis",
-                                           .kind = BL_NESTED,
-                                           .offset = offsetof(marble_parameters, basis),
-                                           .fallback = "gnoise",
-                                           .unit = "",
-                                           .help = "any noise, with its settings as basis.KEY"},
-                                          {.key = "scale",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(marble_parameters, scale),
-                                           .minimum = 1e-6,
-                                           .maximum = 1e6,
-                                           .fallback = "2.5",
-                                           .unit = "cells per unit",
-                                           .help = "of the coarsest octave"},
-                                          BL_SEEING_PARAMETERS(marble_parameters, filter_words),
-                                          {.key = NULL}};
+static const bl_parameter parameters[] = {
+    {"seed", BL_SEED, offsetof(marble_parameters, seed), "0", "", .help = "of the noise"},
+    {"basis", BL_NESTED, offsetof(marble_parameters, basis), "gnoise", "",
+     .help = "any noise, with its settings as basis.KEY"},
+    {"scale", BL_REAL, offsetof(marble_parameters, scale), "2.5", "cells per unit", .minimum = 1e-6,
+     .maximum = 1e6, .help = "of the coarsest octave"},
+    BL_SEEING_PARAMETERS(marble_parameters, filter_words),
+    {0}};
 
 BL_TEXTURE_DESCRIPTOR(marble) = {
     .name = "marble",

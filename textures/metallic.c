@@ -84,7 +84,7 @@ static void describe(const void *block, bl_facts *facts) {
 }
 
 static const bl_parameter parameters[] = {BL_SEEING_PARAMETERS(metallic_parameters, filter_words),
-                                          {.key = NULL}};
+                                          {0}};
 
 BL_TEXTURE_DESCRIPTOR(metallic) = {
     .name = "metallic",

@@ -34,17 +34,12 @@ static inline void bl_noise_source_values(const bl_noise_source *source, const b
     bl_signal_values(source->signal, samples.at, samples.count, out);
 }
 
+// clang-format off
 // The keys seed and noise, for a block that has the source as `field`; `usual` is the noise.
 #define BL_NOISE_SOURCE_PARAMETERS(block, field, usual)                                            \
-    {.key = "seed",                                                                                \
-     .kind = BL_SEED,                                                                              \
-     .offset = offsetof(block, field.seed),                                                        \
-     .fallback = "0",                                                                              \
-     .unit = "",                                                                                   \
-     .help = "of the noise"},                                                                      \
-    {                                                                                              \
-        .key = "noise", .kind = BL_NESTED, .offset = offsetof(block, field.text),                  \
-        .fallback = usual, .unit = "", .help = "any noise of the registry, with noise.KEY"         \
-    }
+    {"seed", BL_SEED, offsetof(block, field.seed), "0", "", .help = "of the noise"},               \
+    {"noise", BL_NESTED, offsetof(block, field.text), usual, "",                                   \
+     .help = "any noise of the registry, with noise.KEY"}
+// clang-format on
 
 #endif

@@ -112,15 +112,10 @@ static void describe(const void *block, bl_facts *facts) {
 static const bl_parameter parameters[] = {
     BL_BRICK_PARAMETERS(perturbed_brick_parameters, sizes),
     BL_NOISE_SOURCE_PARAMETERS(perturbed_brick_parameters, noise, "gnoise:dims=1"),
-    {.key = "amount",
-     .kind = BL_REAL,
-     .offset = offsetof(perturbed_brick_parameters, amount),
-     .maximum = 10,
-     .fallback = "0.1",
-     .unit = "bricks",
-     .help = "of the shift, times the noise"},
+    {"amount", BL_REAL, offsetof(perturbed_brick_parameters, amount), "0.1", "bricks",
+     .maximum = 10, .help = "of the shift, times the noise"},
     BL_SEEING_PARAMETERS(perturbed_brick_parameters, filter_words),
-    {.key = NULL}};
+    {0}};
 
 BL_TEXTURE_DESCRIPTOR(perturbed_brick) = {
     .name = "perturbedbrick",

@@ -87,16 +87,15 @@ static void describe(const void *block, bl_facts *facts) {
     facts->period[0] = 1 / p->least;
 }
 
+// clang-format off
 #define FREQUENCY(field, name, usual, what)                                                        \
-    {                                                                                              \
-        .key = name, .kind = BL_REAL, .offset = offsetof(sine_sum_parameters, field),              \
-        .minimum = 1e-6, .maximum = 1e6, .fallback = usual, .unit = "cycles per unit",             \
-        .help = what                                                                               \
-    }
+    {name, BL_REAL, offsetof(sine_sum_parameters, field), usual, "cycles per unit",                \
+     .minimum = 1e-6, .maximum = 1e6, .help = what}
+// clang-format on
 static const bl_parameter parameters[] = {FREQUENCY(least, "min", "1", "the lowest frequency"),
                                           FREQUENCY(most, "max", "64", "all frequencies are below"),
                                           BL_SEEING_PARAMETERS(sine_sum_parameters, filter_words),
-                                          {.key = NULL}};
+                                          {0}};
 
 BL_TEXTURE_DESCRIPTOR(sine_sum) = {.name = "sinesum",
                                    .title = "sum of sine waves",

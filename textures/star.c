@@ -78,30 +78,20 @@ static void describe(const void *block, bl_facts *facts) {
     facts->period[0] = facts->period[1] = 0;
 }
 
+// clang-format off
 #define RADIUS(field, usual, what)                                                                 \
-    {                                                                                              \
-        .key = #field, .kind = BL_REAL, .offset = offsetof(star_parameters, field),                \
-        .minimum = 1e-6, .maximum = 1e6, .fallback = usual, .unit = "units", .help = what          \
-    }
-static const bl_parameter parameters[] = {{.key = "npoints",
-                                           .kind = BL_INTEGER,
-                                           .offset = offsetof(star_parameters, npoints),
-                                           .minimum = 3,
-                                           .maximum = BL_STAR_POINTS_MOST,
-                                           .fallback = "5",
-                                           .unit = "",
-                                           .help = "tips of the star"},
-                                          RADIUS(rmin, "0.07", "from the centre to the notches"),
-                                          RADIUS(rmax, "0.2", "from the centre to the tips"),
-                                          {.key = "form",
-                                           .kind = BL_CHOICE,
-                                           .offset = offsetof(star_parameters, form),
-                                           .choices = form_words,
-                                           .fallback = "corrected",
-                                           .unit = "",
-                                           .help = "or as printed, with the wrong angle"},
-                                          BL_SEEING_PARAMETERS(star_parameters, filter_words),
-                                          {.key = NULL}};
+    {#field, BL_REAL, offsetof(star_parameters, field), usual, "units", .minimum = 1e-6,           \
+     .maximum = 1e6, .help = what}
+// clang-format on
+static const bl_parameter parameters[] = {
+    {"npoints", BL_INTEGER, offsetof(star_parameters, npoints), "5", "", .minimum = 3,
+     .maximum = BL_STAR_POINTS_MOST, .help = "tips of the star"},
+    RADIUS(rmin, "0.07", "from the centre to the notches"),
+    RADIUS(rmax, "0.2", "from the centre to the tips"),
+    {"form", BL_CHOICE, offsetof(star_parameters, form), "corrected", "", .choices = form_words,
+     .help = "or as printed, with the wrong angle"},
+    BL_SEEING_PARAMETERS(star_parameters, filter_words),
+    {0}};
 
 BL_TEXTURE_DESCRIPTOR(star) = {.name = "star",
                                .title = "star",

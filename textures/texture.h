@@ -33,28 +33,17 @@ typedef struct bl_seeing {
 } bl_seeing;
 
 extern const char *const bl_colour_components[];
+// clang-format off
 // The keys of bl_seeing, for the parameter list of a file whose block has it as `seeing`; `words`
 // are the texture's filters, ended by NULL.
 #define BL_SEEING_PARAMETERS(block, words)                                                         \
-    {.key = "filter",                                                                              \
-     .kind = BL_CHOICE,                                                                            \
-     .offset = offsetof(block, seeing.filter),                                                     \
-     .choices = words,                                                                             \
-     .fallback = "none",                                                                           \
-     .unit = "",                                                                                   \
+    {"filter", BL_CHOICE, offsetof(block, seeing.filter), "none", "", .choices = words,            \
      .help = "how it filters itself for the width of a sample"},                                   \
-        {.key = "width",                                                                           \
-         .kind = BL_REAL,                                                                          \
-         .offset = offsetof(block, seeing.width),                                                  \
-         .maximum = INFINITY,                                                                      \
-         .fallback = "0",                                                                          \
-         .unit = "units",                                                                          \
-         .help = "of a sample, along every axis; 0: a point"},                                     \
-    {                                                                                              \
-        .key = "component", .kind = BL_CHOICE, .offset = offsetof(block, seeing.component),        \
-        .choices = bl_colour_components, .fallback = "luminance", .unit = "",                      \
-        .help = "of the linear colour, that the value is"                                          \
-    }
+    {"width", BL_REAL, offsetof(block, seeing.width), "0", "units", .maximum = INFINITY,           \
+     .help = "of a sample, along every axis; 0: a point"},                                         \
+    {"component", BL_CHOICE, offsetof(block, seeing.component), "luminance", "",                   \
+     .choices = bl_colour_components, .help = "of the linear colour, that the value is"}
+// clang-format on
 
 // The component of a colour: luminance has the weights of sRGB's primaries.
 double bl_colour_component(const double rgb[3], uint32_t component);

@@ -136,30 +136,14 @@ static void describe(const void *block, bl_facts *facts) {
 
 static const bl_parameter parameters[] = {
     BL_NOISE_SOURCE_PARAMETERS(wallpaper_parameters, noise, "gnoise:dims=2"),
-    {.key = "count",
-     .kind = BL_REAL,
-     .offset = offsetof(wallpaper_parameters, count),
-     .minimum = 1e-6,
-     .maximum = 1e6,
-     .fallback = "10",
-     .unit = "cells per unit",
-     .help = "of stars along each axis"},
-    {.key = "cells",
-     .kind = BL_CHOICE,
-     .offset = offsetof(wallpaper_parameters, cells),
-     .choices = cell_words,
-     .fallback = "neighbours",
-     .unit = "",
-     .help = "whose stars a place sees"},
-    {.key = "form",
-     .kind = BL_CHOICE,
-     .offset = offsetof(wallpaper_parameters, form),
-     .choices = form_words,
-     .fallback = "corrected",
-     .unit = "",
-     .help = "or as printed, with the presence of the wrong column"},
+    {"count", BL_REAL, offsetof(wallpaper_parameters, count), "10", "cells per unit",
+     .minimum = 1e-6, .maximum = 1e6, .help = "of stars along each axis"},
+    {"cells", BL_CHOICE, offsetof(wallpaper_parameters, cells), "neighbours", "",
+     .choices = cell_words, .help = "whose stars a place sees"},
+    {"form", BL_CHOICE, offsetof(wallpaper_parameters, form), "corrected", "",
+     .choices = form_words, .help = "or as printed, with the presence of the wrong column"},
     BL_SEEING_PARAMETERS(wallpaper_parameters, filter_words),
-    {.key = NULL}};
+    {0}};
 
 BL_TEXTURE_DESCRIPTOR(wallpaper) = {
     .name = "wallpaper",

@@ -148,18 +148,18 @@ static void describe(const void *block, bl_facts *facts) {
     facts->far = 0x1p50 / FIBRES;
 }
 
+// clang-format off
 #define NUMBER(field, usual, most, in, what)                                                       \
-    {                                                                                              \
-        .key = #field, .kind = BL_REAL, .offset = offsetof(wood_parameters, field),                \
-        .maximum = most, .fallback = usual, .unit = in, .help = what                               \
-    }
+    {#field, BL_REAL, offsetof(wood_parameters, field), usual, in, .maximum = most,                \
+     .help = what}
+// clang-format on
 static const bl_parameter parameters[] = {
     BL_NOISE_SOURCE_PARAMETERS(wood_parameters, noise, "gnoise"),
     NUMBER(rings, "8", 1e6, "rings per unit", "along the radius"),
     NUMBER(wobble, "1", 1e6, "rings", "of the rings, times the noise"),
     NUMBER(fibre, "0.35", 0.5, "", "how much darker and lighter fibres are"),
     BL_SEEING_PARAMETERS(wood_parameters, filter_words),
-    {.key = NULL}};
+    {0}};
 
 BL_TEXTURE_DESCRIPTOR(wood) = {
     .name = "wood",

@@ -126,16 +126,11 @@ static void describe(const void *block, bl_facts *facts) {
     facts->period[0] = facts->period[1] = 0;
 }
 
-static const bl_parameter parameters[] = {{.key = "chirp",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(zone_plate_parameters, chirp),
-                                           .minimum = 1e-6,
-                                           .maximum = 1e6,
-                                           .fallback = "100",
-                                           .unit = "cycles per unit, per unit",
-                                           .help = "how fast the rings get finer"},
+static const bl_parameter parameters[] = {{"chirp", BL_REAL, offsetof(zone_plate_parameters, chirp),
+                                           "100", "cycles per unit, per unit", .minimum = 1e-6,
+                                           .maximum = 1e6, .help = "how fast the rings get finer"},
                                           BL_SEEING_PARAMETERS(zone_plate_parameters, filter_words),
-                                          {.key = NULL}};
+                                          {0}};
 
 BL_TEXTURE_DESCRIPTOR(zone_plate) = {
     .name = "zoneplate",

@@ -34,28 +34,14 @@ static double samples(const void *parameters) {
     return 1;
 }
 
-static const bl_parameter parameters[] = {{.key = "width",
-                                           .kind = BL_CHOICE,
-                                           .offset = offsetof(own_parameters, width),
-                                           .choices = bl_width_estimator_words,
-                                           .fallback = "sum",
-                                           .unit = "",
-                                           .help = "how it is estimated from the derivatives"},
-                                          {.key = "scale",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(own_parameters, scale),
-                                           .maximum = 1e6,
-                                           .fallback = "1",
-                                           .unit = "",
-                                           .help = "a factor on the width"},
-                                          {.key = "k",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(own_parameters, k),
-                                           .maximum = 1e12,
-                                           .fallback = "0.01",
-                                           .unit = "units a unit of distance",
-                                           .help = "of width=distance"},
-                                          {.key = NULL}};
+static const bl_parameter parameters[] = {
+    {"width", BL_CHOICE, offsetof(own_parameters, width), "sum", "",
+     .choices = bl_width_estimator_words, .help = "how it is estimated from the derivatives"},
+    {"scale", BL_REAL, offsetof(own_parameters, scale), "1", "", .maximum = 1e6,
+     .help = "a factor on the width"},
+    {"k", BL_REAL, offsetof(own_parameters, k), "0.01", "units a unit of distance", .maximum = 1e12,
+     .help = "of width=distance"},
+    {0}};
 
 BL_METHOD_DESCRIPTOR(own) = {.name = "own",
                              .title = "the signal's own filter",

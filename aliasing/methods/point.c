@@ -21,7 +21,7 @@ static double response(const void *parameters, double fx, double fy) {
     return 1;
 }
 
-static const bl_parameter parameters[] = {{.key = NULL}};
+static const bl_parameter parameters[] = {{0}};
 
 BL_METHOD_DESCRIPTOR(point) = {.name = "point",
                                .title = "point sampling",

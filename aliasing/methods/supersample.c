@@ -98,29 +98,14 @@ static double response(const void *block, double fx, double fy) {
     return axis_response(p, fx) * axis_response(p, fy);
 }
 
-static const bl_parameter parameters[] = {{.key = "n",
-                                           .kind = BL_INTEGER,
-                                           .offset = offsetof(supersample_parameters, n),
-                                           .minimum = 1,
-                                           .maximum = 64,
-                                           .fallback = "4",
-                                           .unit = "",
-                                           .help = "samples a pixel along each axis"},
-                                          {.key = "pattern",
-                                           .kind = BL_CHOICE,
-                                           .offset = offsetof(supersample_parameters, pattern),
-                                           .choices = bl_pattern_words,
-                                           .fallback = "regular",
-                                           .unit = "",
-                                           .help = "where they stand"},
-                                          {.key = "pixel",
-                                           .kind = BL_CHOICE,
-                                           .offset = offsetof(supersample_parameters, pixel),
-                                           .choices = bl_filter_words,
-                                           .fallback = "box",
-                                           .unit = "",
-                                           .help = "the kernel that weights them"},
-                                          {.key = NULL}};
+static const bl_parameter parameters[] = {
+    {"n", BL_INTEGER, offsetof(supersample_parameters, n), "4", "", .minimum = 1, .maximum = 64,
+     .help = "samples a pixel along each axis"},
+    {"pattern", BL_CHOICE, offsetof(supersample_parameters, pattern), "regular", "",
+     .choices = bl_pattern_words, .help = "where they stand"},
+    {"pixel", BL_CHOICE, offsetof(supersample_parameters, pixel), "box", "",
+     .choices = bl_filter_words, .help = "the kernel that weights them"},
+    {0}};
 
 BL_METHOD_DESCRIPTOR(supersample) = {.name = "supersample",
                                      .title = "supersampling",

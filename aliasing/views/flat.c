@@ -33,25 +33,19 @@ static int see(const void *block, const double size[2], double x, double y, bl_s
     return 1;
 }
 
+// clang-format off
 #define PLACE(field, usual, what, least, most)                                                     \
-    {                                                                                              \
-        .key = #field, .kind = BL_REAL, .offset = offsetof(flat_parameters, field),                \
-        .minimum = least, .maximum = most, .fallback = usual, .unit = "units", .help = what        \
-    }
+    {#field, BL_REAL, offsetof(flat_parameters, field), usual, "units", .minimum = least,          \
+     .maximum = most, .help = what}
+// clang-format on
 static const bl_parameter parameters[] = {
     PLACE(scale, "4", "across the width of the image", 1e-12, 1e12),
-    {.key = "rotate",
-     .kind = BL_REAL,
-     .offset = offsetof(flat_parameters, rotate),
-     .minimum = -360,
-     .maximum = 360,
-     .fallback = "0",
-     .unit = "degrees",
-     .help = "of the texture against the image, counterclockwise"},
+    {"rotate", BL_REAL, offsetof(flat_parameters, rotate), "0", "degrees", .minimum = -360,
+     .maximum = 360, .help = "of the texture against the image, counterclockwise"},
     PLACE(x, "0", "in the middle of the image", -1e15, 1e15),
     PLACE(y, "0", "in the middle of the image", -1e15, 1e15),
     PLACE(z, "0", "of the slice through a solid texture", -1e15, 1e15),
-    {.key = NULL}};
+    {0}};
 
 static const char *const examples[] = {"scale=7,rotate=30,x=3,y=-2", NULL};
 

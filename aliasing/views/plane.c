@@ -51,11 +51,11 @@ static int see(const void *block, const double size[2], double x, double y, bl_s
     return 1;
 }
 
+// clang-format off
 #define REAL(field, usual, measure, least, most, what)                                             \
-    {                                                                                              \
-        .key = #field, .kind = BL_REAL, .offset = offsetof(plane_parameters, field),               \
-        .minimum = least, .maximum = most, .fallback = usual, .unit = measure, .help = what        \
-    }
+    {#field, BL_REAL, offsetof(plane_parameters, field), usual, measure, .minimum = least,         \
+     .maximum = most, .help = what}
+// clang-format on
 static const bl_parameter parameters[] = {
     REAL(height, "1", "units", 1e-9, 1e9, "of the eye above the plane"),
     REAL(fov, "60", "degrees", 0.001, 170, "of the image's width"),
@@ -63,7 +63,7 @@ static const bl_parameter parameters[] = {
     REAL(rotate, "0", "degrees", -360, 360, "of the line of sight to the left of t"),
     REAL(x, "0", "units", -1e12, 1e12, "below the eye"),
     REAL(y, "0", "units", -1e12, 1e12, "below the eye"),
-    {.key = NULL}};
+    {0}};
 
 static const char *const examples[] = {"height=2.5,fov=80,pitch=40,rotate=-35,x=7,y=9", "pitch=90",
                                        NULL};

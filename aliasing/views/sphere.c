@@ -44,7 +44,7 @@ static int see(const void *block, const double size[2], double x, double y, bl_s
 
 static const char *const words[] = {"surface", "solid", NULL};
 static const bl_parameter parameters[] = {
-    BL_OBJECT_PARAMETERS(sphere_parameters, words, "3", "20", 1.001), {.key = NULL}};
+    BL_OBJECT_PARAMETERS(sphere_parameters, words, "3", "20", 1.001), {0}};
 
 static const char *const examples[] = {"distance=1.5,tilt=-50,turn=70,fov=90",
                                        "coordinates=solid,scale=3", NULL};

@@ -92,16 +92,10 @@ static int see(const void *block, const double size[2], double x, double y, bl_s
 
 static const char *const words[] = {"surface", "solid", NULL};
 static const bl_parameter parameters[] = {
-    {.key = "tube",
-     .kind = BL_REAL,
-     .offset = offsetof(torus_parameters, tube),
-     .minimum = 0.01,
-     .maximum = 0.9,
-     .fallback = "0.4",
-     .unit = "radii of the ring",
-     .help = "radius of the tube"},
+    {"tube", BL_REAL, offsetof(torus_parameters, tube), "0.4", "radii of the ring", .minimum = 0.01,
+     .maximum = 0.9, .help = "radius of the tube"},
     BL_OBJECT_PARAMETERS(torus_parameters, words, "4", "45", 2),
-    {.key = NULL}};
+    {0}};
 
 static const char *const examples[] = {"tube=0.7,tilt=80,turn=33,distance=3",
                                        "coordinates=solid,tilt=10", NULL};

@@ -37,7 +37,7 @@ static void describe(const void *block, bl_facts *facts) {
     bl_primitive_period(facts, 0);
 }
 
-static const bl_parameter parameters[] = {BL_AVERAGING_PARAMETERS(abs_parameters), {.key = NULL}};
+static const bl_parameter parameters[] = {BL_AVERAGING_PARAMETERS(abs_parameters), {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(abs) = {.name = "abs",
                                 .title = "absolute value",

@@ -46,23 +46,13 @@ static void describe(const void *block, bl_facts *facts) {
     bl_primitive_unit_facts(&p->averaging, facts);
 }
 
-static const bl_parameter parameters[] = {{.key = "b",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(bias_parameters, b),
-                                           .minimum = 1e-9,
-                                           .maximum = 1 - 1e-9,
-                                           .fallback = "0.7",
-                                           .unit = "",
-                                           .help = "the value at 1/2"},
-                                          {.key = "form",
-                                           .kind = BL_CHOICE,
-                                           .offset = offsetof(bias_parameters, form),
-                                           .choices = bl_curve_words,
-                                           .fallback = "power",
-                                           .unit = "",
-                                           .help = "a power, or Schlick's ratio of two lines"},
-                                          BL_AVERAGING_PARAMETERS(bias_parameters),
-                                          {.key = NULL}};
+static const bl_parameter parameters[] = {
+    {"b", BL_REAL, offsetof(bias_parameters, b), "0.7", "", .minimum = 1e-9, .maximum = 1 - 1e-9,
+     .help = "the value at 1/2"},
+    {"form", BL_CHOICE, offsetof(bias_parameters, form), "power", "", .choices = bl_curve_words,
+     .help = "a power, or Schlick's ratio of two lines"},
+    BL_AVERAGING_PARAMETERS(bias_parameters),
+    {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(bias) = {.name = "bias",
                                  .title = "bias",

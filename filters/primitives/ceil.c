@@ -45,7 +45,7 @@ static void describe(const void *block, bl_facts *facts) {
     bl_primitive_period(facts, 0);
 }
 
-static const bl_parameter parameters[] = {BL_AVERAGING_PARAMETERS(ceil_parameters), {.key = NULL}};
+static const bl_parameter parameters[] = {BL_AVERAGING_PARAMETERS(ceil_parameters), {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(ceil) = {.name = "ceil",
                                  .title = "ceiling",

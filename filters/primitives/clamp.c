@@ -82,7 +82,7 @@ static const bl_parameter parameters[] = {
     BL_PRIMITIVE_REAL(clamp_parameters, low, "0", "the least value"),
     BL_PRIMITIVE_REAL(clamp_parameters, high, "1", "the largest value"),
     BL_AVERAGING_PARAMETERS(clamp_parameters),
-    {.key = NULL}};
+    {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(clamp) = {.name = "clamp",
                                   .title = "clamp",

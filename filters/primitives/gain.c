@@ -77,23 +77,13 @@ static void describe(const void *block, bl_facts *facts) {
     bl_primitive_unit_facts(&p->averaging, facts);
 }
 
-static const bl_parameter parameters[] = {{.key = "g",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(gain_parameters, g),
-                                           .minimum = 1e-9,
-                                           .maximum = 1 - 1e-9,
-                                           .fallback = "0.7",
-                                           .unit = "",
-                                           .help = "how steep the middle is; 1/2: a straight line"},
-                                          {.key = "form",
-                                           .kind = BL_CHOICE,
-                                           .offset = offsetof(gain_parameters, form),
-                                           .choices = bl_curve_words,
-                                           .fallback = "power",
-                                           .unit = "",
-                                           .help = "of its bias: a power, or Schlick's ratio"},
-                                          BL_AVERAGING_PARAMETERS(gain_parameters),
-                                          {.key = NULL}};
+static const bl_parameter parameters[] = {
+    {"g", BL_REAL, offsetof(gain_parameters, g), "0.7", "", .minimum = 1e-9, .maximum = 1 - 1e-9,
+     .help = "how steep the middle is; 1/2: a straight line"},
+    {"form", BL_CHOICE, offsetof(gain_parameters, form), "power", "", .choices = bl_curve_words,
+     .help = "of its bias: a power, or Schlick's ratio"},
+    BL_AVERAGING_PARAMETERS(gain_parameters),
+    {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(gain) = {
     .name = "gain",

@@ -41,16 +41,11 @@ static void describe(const void *block, bl_facts *facts) {
     bl_primitive_unit_facts(&p->averaging, facts);
 }
 
-static const bl_parameter parameters[] = {{.key = "gamma",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(gamma_parameters, gamma),
-                                           .minimum = 1e-6,
-                                           .maximum = 1e6,
-                                           .fallback = "2.2",
-                                           .unit = "",
+static const bl_parameter parameters[] = {{"gamma", BL_REAL, offsetof(gamma_parameters, gamma),
+                                           "2.2", "", .minimum = 1e-6, .maximum = 1e6,
                                            .help = "1 over the exponent"},
                                           BL_AVERAGING_PARAMETERS(gamma_parameters),
-                                          {.key = NULL}};
+                                          {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(gamma) = {.name = "gamma",
                                   .title = "gamma correction",

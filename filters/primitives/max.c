@@ -44,7 +44,7 @@ static void describe(const void *block, bl_facts *facts) {
 static const bl_parameter parameters[] = {
     BL_PRIMITIVE_REAL(max_parameters, low, "0", "the least value"),
     BL_AVERAGING_PARAMETERS(max_parameters),
-    {.key = NULL}};
+    {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(max) = {.name = "max",
                                 .title = "maximum",

@@ -44,7 +44,7 @@ static void describe(const void *block, bl_facts *facts) {
 static const bl_parameter parameters[] = {
     BL_PRIMITIVE_REAL(min_parameters, high, "1", "the largest value"),
     BL_AVERAGING_PARAMETERS(min_parameters),
-    {.key = NULL}};
+    {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(min) = {.name = "min",
                                 .title = "minimum",

@@ -47,7 +47,7 @@ static const bl_parameter parameters[] = {
     BL_PRIMITIVE_REAL(mix_parameters, a, "0", "the value at 0"),
     BL_PRIMITIVE_REAL(mix_parameters, b, "1", "the value at 1"),
     BL_AVERAGING_PARAMETERS(mix_parameters),
-    {.key = NULL}};
+    {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(mix) = {.name = "mix",
                                 .title = "mix",

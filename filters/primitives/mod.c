@@ -69,7 +69,7 @@ static void describe(const void *block, bl_facts *facts) {
 static const bl_parameter parameters[] = {
     BL_PRIMITIVE_REAL(mod_parameters, period, "1", "after which it begins again"),
     BL_AVERAGING_PARAMETERS(mod_parameters),
-    {.key = NULL}};
+    {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(mod) = {.name = "mod",
                                 .title = "modulo",

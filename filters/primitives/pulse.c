@@ -102,16 +102,10 @@ static void describe(const void *block, bl_facts *facts) {
 static const bl_parameter parameters[] = {
     BL_PRIMITIVE_REAL(pulse_parameters, low, "0.4", "where each pulse begins"),
     BL_PRIMITIVE_REAL(pulse_parameters, high, "0.6", "where each pulse ends"),
-    {.key = "period",
-     .kind = BL_REAL,
-     .offset = offsetof(pulse_parameters, period),
-     .minimum = -1e300,
-     .maximum = INFINITY,
-     .fallback = "1",
-     .unit = "units",
-     .help = "after which it repeats; inf: never"},
+    {"period", BL_REAL, offsetof(pulse_parameters, period), "1", "units", .minimum = -1e300,
+     .maximum = INFINITY, .help = "after which it repeats; inf: never"},
     BL_AVERAGING_PARAMETERS(pulse_parameters),
-    {.key = NULL}};
+    {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(pulse) = {.name = "pulse",
                                   .title = "periodic pulse",

@@ -59,24 +59,13 @@ static void describe(const void *block, bl_facts *facts) {
     bl_primitive_period(facts, p->frequency != 0 ? 1 / fabs(p->frequency) : 0);
 }
 
-static const bl_parameter parameters[] = {{.key = "frequency",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(sine_parameters, frequency),
-                                           .minimum = -1e300,
-                                           .maximum = 1e300,
-                                           .fallback = "1",
-                                           .unit = "cycles per unit",
-                                           .help = "of the wave"},
-                                          {.key = "phase",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(sine_parameters, phase),
-                                           .minimum = -1e300,
-                                           .maximum = 1e300,
-                                           .fallback = "0",
-                                           .unit = "cycles",
-                                           .help = "at 0; 1/4 makes a cosine"},
-                                          BL_AVERAGING_PARAMETERS(sine_parameters),
-                                          {.key = NULL}};
+static const bl_parameter parameters[] = {
+    {"frequency", BL_REAL, offsetof(sine_parameters, frequency), "1", "cycles per unit",
+     .minimum = -1e300, .maximum = 1e300, .help = "of the wave"},
+    {"phase", BL_REAL, offsetof(sine_parameters, phase), "0", "cycles", .minimum = -1e300,
+     .maximum = 1e300, .help = "at 0; 1/4 makes a cosine"},
+    BL_AVERAGING_PARAMETERS(sine_parameters),
+    {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(sine) = {.name = "sine",
                                  .title = "sine",

@@ -86,24 +86,13 @@ static void describe(const void *block, bl_facts *facts) {
     bl_primitive_period(facts, p->min < p->max ? 0.5 / p->min : 0);
 }
 
-static const bl_parameter parameters[] = {{.key = "min",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(sineturbulence_parameters, min),
-                                           .minimum = 1e-9,
-                                           .maximum = 1e9,
-                                           .fallback = "1",
-                                           .unit = "cycles per unit",
-                                           .help = "the least frequency"},
-                                          {.key = "max",
-                                           .kind = BL_REAL,
-                                           .offset = offsetof(sineturbulence_parameters, max),
-                                           .minimum = 0,
-                                           .maximum = 1e9,
-                                           .fallback = "16",
-                                           .unit = "cycles per unit",
-                                           .help = "where the sum ends, not included"},
-                                          BL_AVERAGING_PARAMETERS(sineturbulence_parameters),
-                                          {.key = NULL}};
+static const bl_parameter parameters[] = {
+    {"min", BL_REAL, offsetof(sineturbulence_parameters, min), "1", "cycles per unit",
+     .minimum = 1e-9, .maximum = 1e9, .help = "the least frequency"},
+    {"max", BL_REAL, offsetof(sineturbulence_parameters, max), "16", "cycles per unit",
+     .minimum = 0, .maximum = 1e9, .help = "where the sum ends, not included"},
+    BL_AVERAGING_PARAMETERS(sineturbulence_parameters),
+    {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(sineturbulence) = {
     .name = "sineturbulence",

@@ -83,7 +83,7 @@ static const bl_parameter parameters[] = {
     BL_PRIMITIVE_REAL(smoothstep_parameters, low, "0", "where it leaves 0"),
     BL_PRIMITIVE_REAL(smoothstep_parameters, high, "1", "where it reaches 1"),
     BL_AVERAGING_PARAMETERS(smoothstep_parameters),
-    {.key = NULL}};
+    {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(smoothstep) = {.name = "smoothstep",
                                        .title = "smooth step",

@@ -157,22 +157,13 @@ static const char *const examples[] = {"0/0/0;1/0.5/0;1/1/1;1/1/1", "1;1;1;1", "
                                        NULL};
 
 static const bl_parameter parameters[] = {
-    {.key = "knots",
-     .kind = BL_TEXT,
-     .offset = offsetof(spline_parameters, knots),
-     .fallback = "0;0;0.8;0.3;1;1",
-     .unit = "knots",
-     .help = "numbers, or linear colours R/G/B, with ';' between them; the outer two set slopes",
-     .examples = examples},
-    {.key = "component",
-     .kind = BL_CHOICE,
-     .offset = offsetof(spline_parameters, component),
-     .choices = components,
-     .fallback = "luminance",
-     .unit = "",
-     .help = "of a colour, that the value is"},
+    {"knots", BL_TEXT, offsetof(spline_parameters, knots), "0;0;0.8;0.3;1;1", "knots",
+     .examples = examples,
+     .help = "numbers, or linear colours R/G/B, with ';' between them; the outer two set slopes"},
+    {"component", BL_CHOICE, offsetof(spline_parameters, component), "luminance", "",
+     .choices = components, .help = "of a colour, that the value is"},
     BL_AVERAGING_PARAMETERS(spline_parameters),
-    {.key = NULL}};
+    {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(spline) = {
     .name = "spline",

@@ -49,7 +49,7 @@ static void describe(const void *block, bl_facts *facts) {
 static const bl_parameter parameters[] = {
     BL_PRIMITIVE_REAL(step_parameters, edge, "0", "where it steps from 0 to 1"),
     BL_AVERAGING_PARAMETERS(step_parameters),
-    {.key = NULL}};
+    {0}};
 
 BL_PRIMITIVE_DESCRIPTOR(step) = {.name = "step",
                                  .title = "step",

@@ -33,19 +33,16 @@ enum { IMPULSE_MOST_MEAN = 64, IMPULSE_MOST = 128, IMPULSE_AXES = 3 };
 static const char *const impulse_counts[] = {"poisson", "fixed", NULL};
 enum { IMPULSE_COUNT_POISSON, IMPULSE_COUNT_FIXED };
 
+// clang-format off
 // uint32_t impulses, the mean; uint32_t count, of impulse_counts.
 #define IMPULSE_MEAN_PARAMETER(block, usual)                                                       \
-    {                                                                                              \
-        .key = "impulses", .kind = BL_INTEGER, .offset = offsetof(block, impulses), .minimum = 1,  \
-        .maximum = IMPULSE_MOST_MEAN, .fallback = usual, .unit = "a cell",                         \
-        .help = "impulses in a cell, on average; the sum is divided by the root of it"             \
-    }
+    {"impulses", BL_INTEGER, offsetof(block, impulses), usual, "a cell", .minimum = 1,             \
+     .maximum = IMPULSE_MOST_MEAN,                                                                 \
+     .help = "impulses in a cell, on average; the sum is divided by the root of it"}
 #define IMPULSE_COUNT_PARAMETER(block, usual)                                                      \
-    {                                                                                              \
-        .key = "count", .kind = BL_CHOICE, .offset = offsetof(block, count),                       \
-        .choices = impulse_counts, .fallback = usual, .unit = "",                                  \
-        .help = "of impulses in a cell: a true Poisson number, or always the same"                 \
-    }
+    {"count", BL_CHOICE, offsetof(block, count), usual, "", .choices = impulse_counts,             \
+     .help = "of impulses in a cell: a true Poisson number, or always the same"}
+// clang-format on
 
 // The limits of the counts by the word: count = number of limits <= word. Returns how many there
 // are, the largest count; IMPULSE_MOST is enough for a mean of 64.

@@ -159,65 +159,32 @@ static inline void bl_octave_place(const bl_octave *octave, unsigned dimensions,
 
 extern const char *const bl_octave_basis_examples[];
 
+// clang-format off
 // bl_octaves_settings `field`, the first member of the block: seed, basis, width and clamp.
 #define BL_OCTAVES_PARAMETERS(block, field)                                                        \
-    {.key = "seed",                                                                                \
-     .kind = BL_SEED,                                                                              \
-     .offset = offsetof(block, field.seed),                                                        \
-     .fallback = "0",                                                                              \
-     .unit = "",                                                                                   \
-     .help = "the seed of the basis"},                                                             \
-        {.key = "basis",                                                                           \
-         .kind = BL_NESTED,                                                                        \
-         .offset = offsetof(block, field.basis),                                                   \
-         .fallback = "gnoise",                                                                     \
-         .unit = "",                                                                               \
-         .help = "the noise of each octave, of the registry; its settings are basis.KEY=VALUE",    \
-         .examples = bl_octave_basis_examples},                                                    \
-        {.key = "width",                                                                           \
-         .kind = BL_REAL,                                                                          \
-         .offset = offsetof(block, field.width),                                                   \
-         .maximum = INFINITY,                                                                      \
-         .fallback = "0",                                                                          \
-         .unit = "units",                                                                          \
-         .help = "between samples: octaves beyond 1/(2 width) are removed; 0 keeps all"},          \
-    {                                                                                              \
-        .key = "clamp", .kind = BL_CHOICE, .offset = offsetof(block, field.clamp),                 \
-        .choices = bl_octave_clamps, .fallback = "fade", .unit = "",                               \
-        .help = "how octaves beyond the Nyquist limit of the width are removed"                    \
-    }
+    {"seed", BL_SEED, offsetof(block, field.seed), "0", "", .help = "the seed of the basis"},      \
+    {"basis", BL_NESTED, offsetof(block, field.basis), "gnoise", "",                               \
+     .examples = bl_octave_basis_examples,                                                         \
+     .help = "the noise of each octave, of the registry; its settings are basis.KEY=VALUE"},       \
+    {"width", BL_REAL, offsetof(block, field.width), "0", "units", .maximum = INFINITY,            \
+     .help = "between samples: octaves beyond 1/(2 width) are removed; 0 keeps all"},              \
+    {"clamp", BL_CHOICE, offsetof(block, field.clamp), "fade", "", .choices = bl_octave_clamps,    \
+     .help = "how octaves beyond the Nyquist limit of the width are removed"}
 
 // double least, most: the octaves f = min, 2 min, ... below max; two entries of a list.
 #define BL_OCTAVES_SPAN_PARAMETERS(block)                                                          \
-    {.key = "min",                                                                                 \
-     .kind = BL_REAL,                                                                              \
-     .offset = offsetof(block, least),                                                             \
-     .minimum = 1.0 / 256,                                                                         \
-     .maximum = 4096,                                                                              \
-     .fallback = "1",                                                                              \
-     .unit = "cells a unit",                                                                       \
-     .help = "the frequency of the first octave"},                                                 \
-    {                                                                                              \
-        .key = "max", .kind = BL_REAL, .offset = offsetof(block, most), .minimum = 1.0 / 256,      \
-        .maximum = 4096, .fallback = "16", .unit = "cells a unit",                                 \
-        .help = "octaves have frequencies below it"                                                \
-    }
+    {"min", BL_REAL, offsetof(block, least), "1", "cells a unit", .minimum = 1.0 / 256,            \
+     .maximum = 4096, .help = "the frequency of the first octave"},                                \
+    {"max", BL_REAL, offsetof(block, most), "16", "cells a unit", .minimum = 1.0 / 256,            \
+     .maximum = 4096, .help = "octaves have frequencies below it"}
 
 // uint32_t octaves, double lacunarity; `more` are further values of it to try.
 #define BL_OCTAVES_COUNT_PARAMETERS(block, more)                                                   \
-    {.key = "octaves",                                                                             \
-     .kind = BL_INTEGER,                                                                           \
-     .offset = offsetof(block, octaves),                                                           \
-     .minimum = 1,                                                                                 \
-     .maximum = 12,                                                                                \
-     .fallback = "4",                                                                              \
-     .unit = "",                                                                                   \
+    {"octaves", BL_INTEGER, offsetof(block, octaves), "4", "", .minimum = 1, .maximum = 12,        \
      .help = "how many"},                                                                          \
-    {                                                                                              \
-        .key = "lacunarity", .kind = BL_REAL, .offset = offsetof(block, lacunarity), .minimum = 1, \
-        .maximum = 8, .fallback = "2", .unit = "",                                                 \
-        .help = "the ratio of the frequencies of neighbouring octaves", .examples = more           \
-    }
+    {"lacunarity", BL_REAL, offsetof(block, lacunarity), "2", "", .minimum = 1, .maximum = 8,      \
+     .examples = more, .help = "the ratio of the frequencies of neighbouring octaves"}
+// clang-format on
 
 // The functions of a sum that adds its octaves up unchanged, except those that it has itself.
 #define BL_OCTAVES_FUNCTIONS                                                                       \

@@ -62,33 +62,23 @@ typedef struct bl_tile {
 extern const char *const bl_tile_interps[]; // "bspline", "catmull-rom", "linear", "nearest"
 extern const char *const bl_tile_size_examples[];
 
+// clang-format off
 // The keys of a tile, for parameter lists; `usual` are the defaults of the interpolation and of the
 // numbers a unit, and the sizes for 0 in words.
 #define BL_TILE_DIMENSIONS_PARAMETER(block, field, least, most, usual)                             \
-    {                                                                                              \
-        .key = "dims", .kind = BL_INTEGER, .offset = offsetof(block, field), .minimum = least,     \
-        .maximum = most, .fallback = usual, .unit = "",                                            \
-        .help = "dimensions; coordinates beyond them are ignored"                                  \
-    }
+    {"dims", BL_INTEGER, offsetof(block, field), usual, "", .minimum = least, .maximum = most,     \
+     .help = "dimensions; coordinates beyond them are ignored"}
 #define BL_TILE_SIZE_PARAMETER(block, field, usual)                                                \
-    {                                                                                              \
-        .key = "size", .kind = BL_LIST, .offset = offsetof(block, field), .minimum = 0,            \
-        .maximum = 1 << 24, .fallback = "0", .unit = "numbers",                                    \
-        .help = "of the tile, a power of two, one or one an axis; 0: " usual,                      \
-        .examples = bl_tile_size_examples                                                          \
-    }
+    {"size", BL_LIST, offsetof(block, field), "0", "numbers", .minimum = 0, .maximum = 1 << 24,    \
+     .examples = bl_tile_size_examples,                                                            \
+     .help = "of the tile, a power of two, one or one an axis; 0: " usual}
 #define BL_TILE_INTERP_PARAMETER(block, field, usual)                                              \
-    {                                                                                              \
-        .key = "interp", .kind = BL_CHOICE, .offset = offsetof(block, field),                      \
-        .choices = bl_tile_interps, .fallback = usual, .unit = "",                                 \
-        .help = "the kernel that reads the tile"                                                   \
-    }
+    {"interp", BL_CHOICE, offsetof(block, field), usual, "", .choices = bl_tile_interps,           \
+     .help = "the kernel that reads the tile"}
 #define BL_TILE_SAMPLES_PARAMETER(block, field)                                                    \
-    {                                                                                              \
-        .key = "samples", .kind = BL_INTEGER, .offset = offsetof(block, field), .minimum = 2,      \
-        .maximum = 16, .fallback = "4", .unit = "a unit",                                          \
-        .help = "numbers of the tile, a power of two"                                              \
-    }
+    {"samples", BL_INTEGER, offsetof(block, field), "4", "a unit", .minimum = 2, .maximum = 16,    \
+     .help = "numbers of the tile, a power of two"}
+// clang-format on
 
 // The size along each axis with these settings: `usual[d-1]` where none is set, 1 beyond the
 // dimensions.

@@ -29,7 +29,7 @@ static void describe(const void *block, bl_facts *facts) {
 
 static const char *const filter_words[] = {"none", "exact", NULL};
 static const bl_parameter parameters[] = {BL_SEEING_PARAMETERS(least_parameters, filter_words),
-                                          {.key = NULL}};
+                                          {0}};
 
 BL_TEXTURE_DESCRIPTOR(least_texture) = {.name = "least-waves",
                                         .title = "waves",

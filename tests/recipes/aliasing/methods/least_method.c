@@ -27,7 +27,7 @@ static double response(const void *parameters, double fx, double fy) {
     return cos(0.5 * M_PI * fx);
 }
 
-static const bl_parameter parameters[] = {{.key = NULL}};
+static const bl_parameter parameters[] = {{0}};
 
 BL_METHOD_DESCRIPTOR(least_method) = {.name = "least-method",
                                       .title = "two points",

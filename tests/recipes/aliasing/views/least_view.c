@@ -9,7 +9,7 @@ static int see(const void *block, const double size[2], double x, double y, bl_s
     return 1;
 }
 
-static const bl_parameter parameters[] = {{.key = NULL}};
+static const bl_parameter parameters[] = {{0}};
 
 BL_VIEW_DESCRIPTOR(least_view) = {.name = "least-view",
                                   .title = "eighths",
