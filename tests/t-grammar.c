@@ -13,22 +13,27 @@ typedef struct block {
 static const char *const kernels[] = {"exact", "table:N", NULL};
 
 static const bl_parameter parameters[] = {
-    {"seed", BL_SEED, offsetof(block, seed), "0", ""},
+    {"seed", BL_SEED, offsetof(block, seed), "0", .unit = ""},
     {"spacing", BL_REAL, offsetof(block, spacing), "1", "", .minimum = 1e-9, .maximum = 1e9},
     {"impulses", BL_INTEGER, offsetof(block, impulses), "3", "", .minimum = 1, .maximum = 64},
     {"kernel", BL_CHOICE, offsetof(block, kernel), "exact", "", .minimum = 1, .maximum = 1000,
      .choices = kernels, .number_offset = offsetof(block, entries)},
     {0}};
 
-static bl_status read_text(const char *text, block *out, bl_message *message) {
+static bl_status read_block(const bl_parameter *list, const char *text, void *out, size_t bytes,
+                            bl_message *message) {
     bl_spec spec;
-    memset(out, 0, sizeof *out);
+    memset(out, 0, bytes);
     bl_status status = bl_spec_parse(text, &spec, message);
     if (status != BL_OK)
         return status;
-    status = bl_parameters_read(parameters, &spec, text, out, message);
+    status = bl_parameters_read(list, &spec, text, out, message);
     bl_spec_free(&spec);
     return status;
+}
+
+static bl_status read_text(const char *text, block *out, bl_message *message) {
+    return read_block(parameters, text, out, sizeof *out, message);
 }
 
 static void test_a_text_fills_the_block_and_defaults_the_rest(void **state) {
@@ -180,19 +185,12 @@ typedef struct wide_block {
 
 static const bl_parameter wide_parameters[] = {
     {"list", BL_LIST, offsetof(wide_block, list), "0", "", .maximum = 100},
-    {"text", BL_TEXT, offsetof(wide_block, text), "", ""},
-    {"basis", BL_NESTED, offsetof(wide_block, basis), "g", ""},
+    {"text", BL_TEXT, offsetof(wide_block, text), "", .unit = ""},
+    {"basis", BL_NESTED, offsetof(wide_block, basis), "g", .unit = ""},
     {0}};
 
 static bl_status read_wide(const char *text, wide_block *out, bl_message *message) {
-    bl_spec spec;
-    memset(out, 0, sizeof *out);
-    bl_status status = bl_spec_parse(text, &spec, message);
-    if (status != BL_OK)
-        return status;
-    status = bl_parameters_read(wide_parameters, &spec, text, out, message);
-    bl_spec_free(&spec);
-    return status;
+    return read_block(wide_parameters, text, out, sizeof *out, message);
 }
 
 static void refuse_wide(const char *text, const char *says) {
