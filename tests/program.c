@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/program.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -10,42 +9,6 @@
 #include <unistd.h>
 
 #include "tests/test.h"
-
-static char folder[64];
-
-const char *bl_test_folder(void) {
-    if (!*folder) {
-        strcpy(folder, "/tmp/bandlimit-test-XXXXXX");
-        assert_non_null(mkdtemp(folder));
-    }
-    return folder;
-}
-
-const char *bl_test_path(const char *name) {
-    static char paths[8][256];
-    static unsigned next;
-    char *path = paths[next++ % 8];
-    snprintf(path, sizeof paths[0], "%s/%s", bl_test_folder(), name);
-    return path;
-}
-
-int bl_remove_folder(void **state) {
-    (void)state;
-    char command[128];
-    if (!*folder)
-        return 0;
-    snprintf(command, sizeof command, "rm -rf '%s'", folder);
-    return system(command);
-}
-
-size_t bl_test_files(void) {
-    DIR *directory = opendir(bl_test_folder());
-    size_t count = 0;
-    for (struct dirent *entry; (entry = readdir(directory));)
-        count += strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
-    closedir(directory);
-    return count;
-}
 
 static char *read_stream(FILE *stream, size_t *size) {
     rewind(stream);
@@ -60,23 +23,6 @@ static char *read_stream(FILE *stream, size_t *size) {
     text[used] = '\0';
     *size = used;
     return text;
-}
-
-char *bl_test_read(const char *path) {
-    FILE *stream = fopen(path, "r");
-    size_t size;
-    if (!stream)
-        return NULL;
-    char *text = read_stream(stream, &size);
-    fclose(stream);
-    return text;
-}
-
-void bl_test_write(const char *path, const void *bytes, size_t size) {
-    FILE *stream = fopen(path, "w");
-    assert_non_null(stream);
-    assert_int_equal(fwrite(bytes, 1, size, stream), size);
-    assert_int_equal(fclose(stream), 0);
 }
 
 // The program's words: its path, then those given.

@@ -31,17 +31,4 @@ void bl_ran_free(bl_ran *ran);
 
 #define bl_run_program(...) bl_run_words(NULL, (const char *const[]){__VA_ARGS__, NULL})
 
-// A folder of this test program's own, removed by bl_remove_folder; a path in it (of a static
-// buffer that eight calls share).
-const char *bl_test_folder(void);
-const char *bl_test_path(const char *name);
-int bl_remove_folder(void **state);
-
-// How many files the folder holds, hidden ones too.
-size_t bl_test_files(void);
-
-// The whole of a file as text; the caller frees it. NULL if it cannot be read.
-char *bl_test_read(const char *path);
-void bl_test_write(const char *path, const void *bytes, size_t size);
-
 #endif

@@ -37,3 +37,11 @@ void bl_test_refuse_file(const char *name, const char *settings, bl_status expec
                          const char *word) {
     bl_test_refuse_source(bl_test_file_text(name, settings), expected, word);
 }
+
+bl_view bl_test_open_view(const char *text, size_t size) {
+    bl_view view;
+    bl_message message;
+    if (bl_view_open(text, size, size, &view, &message) != BL_OK)
+        fail_msg("%s: %s", text, message.text);
+    return view;
+}

@@ -5,6 +5,7 @@
 #ifndef BL_TESTS_SOURCES_H
 #define BL_TESTS_SOURCES_H
 
+#include "aliasing/view.h"
 #include "core/signal.h"
 
 // The caller frees it.
@@ -21,5 +22,8 @@ const char *bl_test_file_text(const char *name, const char *settings);
 bl_signal *bl_test_open_file(const char *name, const char *settings);
 void bl_test_refuse_file(const char *name, const char *settings, bl_status expected,
                          const char *word);
+
+// A square view of so many pixels a side, for the caller to close.
+bl_view bl_test_open_view(const char *text, size_t size);
 
 #endif

@@ -8,22 +8,7 @@
 #include "aliasing/usual_methods.h"
 #include "noises/noise.h"
 #include "textures/texture.h"
-
-static bl_view open_view(const char *text, size_t size) {
-    bl_view view;
-    bl_message message;
-    if (bl_view_open(text, size, size, &view, &message) != BL_OK)
-        fail_msg("%s: %s", text, message.text);
-    return view;
-}
-
-static bl_signal *open_noise(const char *text) {
-    bl_signal *signal;
-    bl_message message;
-    if (bl_noise_open(text, BL_ISA_BEST, &signal, &message) != BL_OK)
-        fail_msg("%s: %s", text, message.text);
-    return signal;
-}
+#include "tests/sources.h"
 
 // --- the choice ---------------------------------------------------------------------------------
 
@@ -74,9 +59,9 @@ static void test_a_flat_view_has_one_width_and_a_constant_depth(void **state) {
         const char *view;
         double width;
     } cases[] = {{"flat:scale=4", 0.25}, {"flat:scale=4,rotate=30", 0.25 * 0.866025403784439}};
-    bl_signal *noise = open_noise("gnoise");
+    bl_signal *noise = bl_test_open_source("gnoise");
     for (int i = 0; i < 2; i++) {
-        bl_view view = open_view(cases[i].view, 16);
+        bl_view view = bl_test_open_view(cases[i].view, 16);
         bl_scene_needs needs = bl_scene_needs_find(noise, &view);
         assert_near(needs.least_width, cases[i].width, 1e-12);
         assert_near(needs.most_width, cases[i].width, 1e-12);
@@ -92,8 +77,8 @@ static void test_a_flat_view_has_one_width_and_a_constant_depth(void **state) {
 // Octaves 1, 2, 4, ..., 32 under samples 1/10 apart, which show frequencies below 5.
 static void test_octaves_beyond_the_finest_sample_are_not_seen(void **state) {
     (void)state;
-    bl_signal *sum = open_noise("fractalsum:min=1,max=64");
-    bl_view view = open_view("flat:scale=1.6", 16);
+    bl_signal *sum = bl_test_open_source("fractalsum:min=1,max=64");
+    bl_view view = bl_test_open_view("flat:scale=1.6", 16);
     bl_scene_needs needs = bl_scene_needs_find(sum, &view);
     assert_int_equal(needs.octaves, 6);
     assert_int_equal(needs.octaves_seen, 3);
@@ -104,8 +89,8 @@ static void test_octaves_beyond_the_finest_sample_are_not_seen(void **state) {
 // The plane: samples get wider towards the horizon, and the nearest row has the least width.
 static void test_a_plane_needs_a_range_of_widths(void **state) {
     (void)state;
-    bl_signal *noise = open_noise("gnoise");
-    bl_view view = open_view("plane", 32);
+    bl_signal *noise = bl_test_open_source("gnoise");
+    bl_view view = bl_test_open_view("plane", 32);
     bl_scene_needs needs = bl_scene_needs_find(noise, &view);
     bl_sight nearest;
     assert_true(bl_view_see(&view, 16.5, 31.5, &nearest));
@@ -158,7 +143,7 @@ static bl_signal *open_brick(void) {
 static void test_the_advice_keeps_its_word(void **state) {
     (void)state;
     bl_signal *brick = open_brick();
-    bl_view view = open_view("plane", 24);
+    bl_view view = bl_test_open_view("plane", 24);
     for (int largest = 0; largest < 2; largest++) {
         const bl_advise_settings settings = quick(largest ? 0.3 : 0.04, largest);
         bl_advice advice = advise(brick, &view, &settings);
@@ -179,7 +164,7 @@ static void test_the_advice_keeps_its_word(void **state) {
 static void test_no_way_is_good_enough_for_a_tiny_tolerance(void **state) {
     (void)state;
     bl_signal *brick = open_brick();
-    bl_view view = open_view("flat:scale=0.9,rotate=20", 24);
+    bl_view view = bl_test_open_view("flat:scale=0.9,rotate=20", 24);
     const bl_advise_settings settings = quick(1e-9, 0);
     bl_advice advice = advise(brick, &view, &settings);
     assert_int_not_equal(advice.verdict, BL_VERDICT_PASS);
@@ -195,7 +180,7 @@ static void test_a_bad_tolerance_is_refused(void **state) {
     static const double bad[] = {0, -1, NAN};
     static const char *const methods[] = {"point"};
     bl_signal *brick = open_brick();
-    bl_view view = open_view("flat", 16);
+    bl_view view = bl_test_open_view("flat", 16);
     for (int i = 0; i < 3; i++) {
         const bl_advise_settings settings = quick(bad[i], 0);
         bl_advice advice;

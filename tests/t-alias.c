@@ -9,16 +9,9 @@
 #include "noises/noise.h"
 #include "spectra/window.h"
 #include "tests/ripple.h"
+#include "tests/sources.h"
 
 enum { SIZE = 64 };
-
-static bl_view open_view(const char *text, size_t size) {
-    bl_view view;
-    bl_message message;
-    if (bl_view_open(text, size, size, &view, &message) != BL_OK)
-        fail_msg("%s: %s", text, message.text);
-    return view;
-}
 
 static bl_alias_settings quick(void) {
     bl_alias_settings settings = bl_alias_default_settings();
@@ -34,7 +27,7 @@ static bl_alias_result measure(bl_signal *signal, const char *view_text, const c
                                size_t count, const bl_alias_settings *settings) {
     bl_message message;
     bl_alias_result result;
-    bl_view view = open_view(view_text, SIZE);
+    bl_view view = bl_test_open_view(view_text, SIZE);
     if (bl_alias_measure(signal, &view, methods, count, settings, &result, &message) != BL_OK)
         fail_msg("%s", message.text);
     bl_view_close(&view);
@@ -332,7 +325,7 @@ static void test_views_of_nothing_are_refused(void **state) {
     (void)state;
     static const char *const methods[] = {"point"};
     bl_signal *signal = bl_test_ripple(0, 1, 1, 1);
-    bl_view view = open_view("plane:pitch=-80", SIZE);
+    bl_view view = bl_test_open_view("plane:pitch=-80", SIZE);
     bl_alias_settings settings = quick();
     bl_alias_result result;
     bl_message message;

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Autocovariances against the sum written out and against closed forms.
+#include "tests/temporary.h"
 #include "tests/test.h"
 
 #include "spectra/autocorrelation.h"
 #include "tests/test_signals.h"
-
-static int keep_no_wisdom(void **state) {
-    (void)state;
-    return setenv("XDG_CACHE_HOME", "/dev/null/none", 1);
-}
 
 static bl_autocorrelation measure(const bl_signal *signal, const bl_psd_settings *settings,
                                   double reach) {
@@ -117,5 +113,5 @@ int main(void) {
         cmocka_unit_test(test_a_constant_and_a_broken_signal),
     };
     bl_set_filter();
-    return cmocka_run_group_tests(tests, keep_no_wisdom, NULL);
+    return cmocka_run_group_tests(tests, bl_temporary_no_wisdom, NULL);
 }

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "tests/program.h"
+#include "tests/temporary.h"
 
 enum { MOST_WORDS = 12 };
 
@@ -170,8 +171,8 @@ static void test_a_line_without_end_is_refused(void **state) {
 
 static void test_outputs_that_cannot_be_written(void **state) {
     (void)state;
-    const char *folder = bl_test_folder(), *csv = bl_test_path("missing/a.csv");
-    const char *exr = bl_test_path("missing/a.exr");
+    const char *folder = bl_temporary_folder(), *csv = bl_temporary_path("missing/a.csv");
+    const char *exr = bl_temporary_path("missing/a.exr");
     const bad_input list[] = {
         {4, "missing/a.csv", {"list", "-o", csv}},
         {4, "missing/a.csv", {"spectrum", "gnoise", "--quick", "--size", "64", "-o", csv}},
@@ -187,7 +188,7 @@ static void test_outputs_that_cannot_be_written(void **state) {
         {4, "No space left", {"histogram", "gnoise", "--quick", "-o", "/dev/full"}},
     };
     EXPECT_ALL(list);
-    assert_int_equal(bl_test_files(), 0);
+    assert_int_equal(bl_temporary_files(), 0);
 }
 
 // A file system that fills up half way: no file can be longer than this. The program says so,
@@ -196,13 +197,13 @@ static void fill_up(size_t most_bytes, const char *path, const bad_input *bad) {
     const bl_streams full = {.most_bytes = most_bytes};
     for (int earlier = 0; earlier < 2; earlier++) {
         if (earlier)
-            bl_test_write(path, "earlier", 7);
+            bl_temporary_write(path, "earlier", 7);
         expect(&full, bad);
-        char *text = bl_test_read(path);
+        char *text = bl_temporary_read(path, NULL);
         assert_true(earlier ? text && strcmp(text, "earlier") == 0 : !text);
         free(text);
         unlink(path);
-        assert_int_equal(bl_test_files(), 0);
+        assert_int_equal(bl_temporary_files(), 0);
     }
 }
 
@@ -220,11 +221,11 @@ static void test_a_disk_that_fills_up_leaves_nothing(void **state) {
         skip();
     static const char *const images[] = {"a.png", "a.exr", "a.tif"};
     for (int i = 0; i < 3; i++) {
-        const char *path = bl_test_path(images[i]);
+        const char *path = bl_temporary_path(images[i]);
         const bad_input bad = {4, "File too large", {"render", "gnoise", "-o", path}};
         fill_up(4096, path, &bad);
     }
-    const char *csv = bl_test_path("a.csv"), *json = bl_test_path("a.json");
+    const char *csv = bl_temporary_path("a.csv"), *json = bl_temporary_path("a.json");
     const bad_input table = {
         4, "File too large", {"spectrum", "gnoise", "--size", "1024", "--average", "2", "-o", csv}};
     fill_up(6000, csv, &table);
@@ -236,7 +237,7 @@ static void test_figures_on_a_full_disk_leave_no_part(void **state) {
     (void)state;
     if (FILES_MAY_NOT_BE_BOUNDED)
         skip();
-    const char *out = bl_test_path("out");
+    const char *out = bl_temporary_path("out");
     const bl_streams full = {.most_bytes = 4096};
     const bad_input bad = {
         4, "File too large", {"reproduce", "peachey-2.35", "--quick", "-o", out}};
@@ -248,7 +249,7 @@ static void test_figures_on_a_full_disk_leave_no_part(void **state) {
 
 static void test_a_folder_named_like_an_image_is_refused(void **state) {
     (void)state;
-    const char *path = bl_test_path("folder.exr");
+    const char *path = bl_temporary_path("folder.exr");
     assert_int_equal(mkdir(path, 0777), 0);
     const bad_input list[] = {
         {4, "folder", {"render", "gnoise", "--width", "8", "-o", path}},
@@ -256,7 +257,7 @@ static void test_a_folder_named_like_an_image_is_refused(void **state) {
     };
     EXPECT_ALL(list);
     assert_int_equal(rmdir(path), 0);
-    assert_int_equal(bl_test_files(), 0);
+    assert_int_equal(bl_temporary_files(), 0);
 }
 
 static void test_a_folder_without_permission_is_refused(void **state) {
@@ -264,10 +265,11 @@ static void test_a_folder_without_permission_is_refused(void **state) {
     if (!bl_can_be_nobody())
         skip(); // nothing is closed to root, who may not be another here
     const bl_streams nobody = {.as_nobody = 1};
-    const char *path = bl_test_path("locked"), *file = bl_test_path("locked/a.txt");
-    const char *image = bl_test_path("locked/a.png");
+    const char *path = bl_temporary_path("locked"), *file = bl_temporary_path("locked/a.txt");
+    const char *image = bl_temporary_path("locked/a.png");
     assert_int_equal(mkdir(path, 0777), 0);
-    assert_int_equal(chmod(bl_test_folder(), 0755), 0); // so that only `path` can be the reason
+    assert_int_equal(chmod(bl_temporary_folder(), 0755),
+                     0); // so that only `path` can be the reason
     assert_int_equal(chmod(path, 0777), 0);
     bl_ran ran = bl_run_words(&nobody, (const char *const[]){"list", "-o", file, NULL});
     assert_int_equal(ran.status, 0);
@@ -308,7 +310,7 @@ static void test_a_full_standard_output_is_noticed(void **state) {
 
 static void test_sizes_beyond_memory_are_refused_with_the_bytes(void **state) {
     (void)state;
-    const char *png = bl_test_path("a.png");
+    const char *png = bl_temporary_path("a.png");
     const bad_input list[] = {
         {3,
          "8.0 EB of memory",
@@ -319,15 +321,15 @@ static void test_sizes_beyond_memory_are_refused_with_the_bytes(void **state) {
         {3, "bytes", {"histogram", "gnoise", "--samples", "1000000000000"}},
     };
     EXPECT_ALL(list);
-    assert_int_equal(bl_test_files(), 0);
+    assert_int_equal(bl_temporary_files(), 0);
 }
 
 // Every way in which a file is not an image.
 static void test_broken_images_are_refused(void **state) {
     (void)state;
-    const char *good = bl_test_path("good.exr"), *empty = bl_test_path("empty.exr"),
-               *cut = bl_test_path("cut.exr"), *garbage = bl_test_path("garbage.png"),
-               *missing = bl_test_path("missing.exr");
+    const char *good = bl_temporary_path("good.exr"), *empty = bl_temporary_path("empty.exr"),
+               *cut = bl_temporary_path("cut.exr"), *garbage = bl_temporary_path("garbage.png"),
+               *missing = bl_temporary_path("missing.exr");
     bl_ran ran = bl_run_program("render", "gnoise", "--width", "31", "-o", good);
     assert_int_equal(ran.status, 0);
     bl_ran_free(&ran);
@@ -337,9 +339,9 @@ static void test_broken_images_are_refused(void **state) {
     FILE *stream = fopen(good, "r");
     assert_int_equal(fread(bytes, 1, (size_t)info.st_size, stream), info.st_size);
     fclose(stream);
-    bl_test_write(empty, "", 0);
-    bl_test_write(cut, bytes, (size_t)info.st_size / 2);
-    bl_test_write(garbage, "\x89PNG\r\n\x1a\nthis is not an image", 28);
+    bl_temporary_write(empty, "", 0);
+    bl_temporary_write(cut, bytes, (size_t)info.st_size / 2);
+    bl_temporary_write(garbage, "\x89PNG\r\n\x1a\nthis is not an image", 28);
     const char *const broken[] = {empty, cut, garbage, missing};
     for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
         const bad_input list[] = {
@@ -352,20 +354,20 @@ static void test_broken_images_are_refused(void **state) {
     }
     size_t step = (size_t)info.st_size / bl_test_scaled(12, 3); // a run is 0.1 s
     for (size_t cut_at = 1; cut_at < (size_t)info.st_size; cut_at += step) {
-        bl_test_write(cut, bytes, cut_at);
+        bl_temporary_write(cut, bytes, cut_at);
         const bad_input bad = {4, "cut.exr", {"eval", cut, "0", "0"}};
         expect(NULL, &bad);
     }
     free(bytes);
     unlink(good), unlink(empty), unlink(cut), unlink(garbage);
-    assert_int_equal(bl_test_files(), 0);
+    assert_int_equal(bl_temporary_files(), 0);
 }
 
 static void test_an_image_of_many_parts_needs_one_chosen(void **state) {
     (void)state;
     if (system("command -v oiiotool >/dev/null 2>&1") != 0)
         skip(); // nothing here can make such a file
-    const char *one = bl_test_path("one.exr"), *many = bl_test_path("many.exr");
+    const char *one = bl_temporary_path("one.exr"), *many = bl_temporary_path("many.exr");
     bl_ran ran = bl_run_program("render", "gnoise", "--width", "16", "-o", one);
     assert_int_equal(ran.status, 0);
     bl_ran_free(&ran);
@@ -386,7 +388,7 @@ static void test_images_of_awkward_sizes(void **state) {
     (void)state;
     static const char *const sizes[] = {"1", "3", "8", "13", "101"};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-        const char *path = bl_test_path("awkward.exr");
+        const char *path = bl_temporary_path("awkward.exr");
         bl_ran ran = bl_run_program("render", "gnoise", "--width", sizes[i], "--height",
                                     sizes[sizeof sizes / sizeof *sizes - 1 - i], "--at",
                                     "0.3,0.4,0.5", "-o", path);
@@ -441,6 +443,5 @@ int main(void) {
         cmocka_unit_test(test_images_of_awkward_sizes),
         cmocka_unit_test(test_sizes_of_noise_that_are_odd_and_prime_work),
     };
-    bl_set_filter();
-    return cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_run_tests(tests);
 }

@@ -4,15 +4,11 @@
 //
 // Error rate of the coverage tests: 1e-4 each (3.9 standard deviations of the binomial), about what
 // the method is known to cover, which is not 95 % exactly; each case says why.
+#include "tests/temporary.h"
 #include "tests/test.h"
 
 #include "spectra/psd.h"
 #include "tests/test_signals.h"
-
-static int keep_no_wisdom(void **state) {
-    (void)state;
-    return setenv("XDG_CACHE_HOME", "/dev/null/none", 1);
-}
 
 static bl_psd measure_white(unsigned dims, size_t size, size_t averages, uint64_t seed) {
     bl_psd psd;
@@ -272,5 +268,5 @@ int main(void) {
         cmocka_unit_test(test_the_guard_forgives_the_main_lobe),
     };
     bl_set_filter();
-    return cmocka_run_group_tests(tests, keep_no_wisdom, NULL);
+    return cmocka_run_group_tests(tests, bl_temporary_no_wisdom, NULL);
 }

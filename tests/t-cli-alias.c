@@ -6,6 +6,7 @@
 #include <jansson.h>
 
 #include "tests/program.h"
+#include "tests/temporary.h"
 
 static json_t *run_json(bl_ran *ran) {
     json_t *object = json_loads(ran->out, 0, NULL);
@@ -70,7 +71,7 @@ static void test_the_folder_has_images_and_a_table(void **state) {
     static const char *const names[] = {"alias.csv",          "reference.exr", "reference.png",
                                         "integral.exr",       "integral.png",  "integral-error.exr",
                                         "integral-error.png", "point.exr"};
-    char *folder = strdup(bl_test_path("pictures"));
+    char *folder = strdup(bl_temporary_path("pictures"));
     bl_ran ran = bl_run_program("alias", "brick", "--filter", "point", "--method", "integral",
                                 "--size", "16", "--quick", "-o", folder); // two names, one list
     assert_int_equal(ran.status, 0);
@@ -78,7 +79,7 @@ static void test_the_folder_has_images_and_a_table(void **state) {
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         char path[512];
         snprintf(path, sizeof path, "%s/%s", folder, names[i]);
-        char *bytes = bl_test_read(path);
+        char *bytes = bl_temporary_read(path, NULL);
         if (!bytes)
             fail_msg("%s is missing", names[i]);
         if (i == 0) {
@@ -93,7 +94,7 @@ static void test_the_folder_has_images_and_a_table(void **state) {
 
 static void test_the_cache_is_used_and_nothing_kept_without_it(void **state) {
     (void)state;
-    char *folder = strdup(bl_test_path("cache"));
+    char *folder = strdup(bl_temporary_path("cache"));
     for (int i = 0; i < 2; i++) {
         bl_ran ran = bl_run_program("alias", "brick", "--method", "point", "--size", "16",
                                     "--quick", "--cache", folder, "--json");
@@ -108,7 +109,7 @@ static void test_the_cache_is_used_and_nothing_kept_without_it(void **state) {
 // A file cannot be copied, and has values only within.
 static void test_an_image_is_a_texture(void **state) {
     (void)state;
-    char *image = strdup(bl_test_path("image.exr"));
+    char *image = strdup(bl_temporary_path("image.exr"));
     bl_ran drawn =
         bl_run_program("render", "gnoise", "--width", "32", "--scale", "8", "-o", image, "-q");
     assert_int_equal(drawn.status, 0);
@@ -163,5 +164,5 @@ int main(void) {
         cmocka_unit_test(test_an_image_is_a_texture),
         cmocka_unit_test(test_bad_words_are_refused_with_what_to_do),
     };
-    return bl_set_filter(), cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_run_tests(tests);
 }

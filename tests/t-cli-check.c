@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "tests/program.h"
+#include "tests/temporary.h"
 
 // Fails unless the program ends so and says that.
 static void expect(int status, const char *says, const char *const *words) {
@@ -22,7 +23,7 @@ static void expect(int status, const char *says, const char *const *words) {
 
 // Makes an image of the noise, 64 x 32 pixels with 8 to a unit; the path is of a static buffer.
 static const char *make_image(const char *name) {
-    const char *path = bl_test_path(name);
+    const char *path = bl_temporary_path(name);
     EXPECT(0, "64 x 32", "render", "gnoise", "--width", "64", "--height", "32", "--scale", "8",
            "-o", path);
     return path;
@@ -47,7 +48,7 @@ static void test_check_refuses_where_there_is_nothing_to_judge(void **state) {
 static void test_a_constant_has_no_verdict_and_no_nan(void **state) {
     (void)state;
     // A coordinate takes the nearest pixel, so a slice within one pixel is constant.
-    const char *image = make_image("source.exr"), *flat = bl_test_path("flat.exr");
+    const char *image = make_image("source.exr"), *flat = bl_temporary_path("flat.exr");
     EXPECT(0, "64 x 64", "render", image, "--width", "64", "--height", "64", "--scale", "0.01",
            "--at", "4,2", "-o", flat);
     EXPECT(3, "constant", "check", flat);
@@ -83,22 +84,22 @@ static void test_an_image_says_what_of_it_was_measured(void **state) {
     EXPECT(0, "beyond what was measured", "spectrum", image, "--band", "5:6");
     EXPECT(3, "--place", "spectrum", image, "--place", "random");
     EXPECT(0, "\"place\": \"grid\"", "spectrum", image, "--json");
-    EXPECT(3, "outside", "render", image, "--at", "100,100", "-o", bl_test_path("none.png"));
-    assert_true(access(bl_test_path("none.png"), F_OK) != 0);
+    EXPECT(3, "outside", "render", image, "--at", "100,100", "-o", bl_temporary_path("none.png"));
+    assert_true(access(bl_temporary_path("none.png"), F_OK) != 0);
     unlink(image);
 }
 
 static void test_an_output_is_tried_before_measuring(void **state) {
     (void)state;
-    const char *folder = bl_test_folder(), *missing = bl_test_path("no/such/folder.csv");
+    const char *folder = bl_temporary_folder(), *missing = bl_temporary_path("no/such/folder.csv");
     static const char *const verbs[] = {"spectrum", "histogram", "check", "bench"};
     for (size_t i = 0; i < sizeof verbs / sizeof *verbs; i++) {
         // --full would take hours.
         EXPECT(4, "it is a folder", verbs[i], "gnoise", "--full", "-o", folder);
         EXPECT(4, "cannot write", verbs[i], "gnoise", "--full", "-o", missing);
     }
-    EXPECT(4, "no/such", "render", "gnoise", "-o", bl_test_path("no/such/folder.png"));
-    assert_int_equal(bl_test_files(), 0);
+    EXPECT(4, "no/such", "render", "gnoise", "-o", bl_temporary_path("no/such/folder.png"));
+    assert_int_equal(bl_temporary_files(), 0);
 }
 
 static void test_a_dash_is_standard_output(void **state) {
@@ -182,6 +183,5 @@ int main(void) {
         cmocka_unit_test(test_a_name_typed_as_a_verb_is_shown_the_way),
         cmocka_unit_test(test_the_autocorrelation_starts_with_the_variance),
     };
-    bl_set_filter();
-    return cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_run_tests(tests);
 }

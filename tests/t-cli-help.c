@@ -3,9 +3,9 @@
 // Help, man page and completion say the same: they are held to the tables of the program.
 #include "tests/test.h"
 
-#include <jansson.h>
-
+#include "tests/json.h"
 #include "tests/program.h"
+#include "tests/temporary.h"
 
 static json_t *help;
 
@@ -21,11 +21,6 @@ static int drop_help(void **state) {
     (void)state;
     json_decref(help);
     return 0;
-}
-
-static const char *text_of(const json_t *object, const char *key) {
-    const char *text = json_string_value(json_object_get(object, key));
-    return text ? text : "";
 }
 
 // The part of a text from the line that starts with `start` to the next that starts with `end` or
@@ -67,12 +62,12 @@ static void expect_options_in_man(const char *part, const json_t *options, const
     json_t *option;
     json_array_foreach(options, index, option) {
         char name[96];
-        man_name(text_of(option, "name"), name, sizeof name);
+        man_name(bl_text_of(option, "name"), name, sizeof name);
         if (!strstr(part, name))
-            fail_msg("man/bandlimit.1, %s: no entry for --%s", where, text_of(option, "name"));
-        snprintf(name, sizeof name, "\\-\\-%s is the same", text_of(option, "also"));
-        if (*text_of(option, "also") && !strstr(part, name))
-            fail_msg("man/bandlimit.1, %s: --%s is not told", where, text_of(option, "also"));
+            fail_msg("man/bandlimit.1, %s: no entry for --%s", where, bl_text_of(option, "name"));
+        snprintf(name, sizeof name, "\\-\\-%s is the same", bl_text_of(option, "also"));
+        if (*bl_text_of(option, "also") && !strstr(part, name))
+            fail_msg("man/bandlimit.1, %s: --%s is not told", where, bl_text_of(option, "also"));
     }
     if (count_of(part, "\\fB\\-\\-") != json_array_size(options))
         fail_msg("man/bandlimit.1, %s: %zu options, the program has %zu", where,
@@ -81,13 +76,13 @@ static void expect_options_in_man(const char *part, const json_t *options, const
 
 static void test_the_man_page_has_the_options_of_the_program(void **state) {
     (void)state;
-    char *man = bl_test_read("man/bandlimit.1");
+    char *man = bl_temporary_read("man/bandlimit.1", NULL);
     assert_non_null(man);
     size_t index;
     json_t *verb;
     json_array_foreach(json_object_get(help, "verbs"), index, verb) {
         char start[64];
-        snprintf(start, sizeof start, ".SS %s", text_of(verb, "name"));
+        snprintf(start, sizeof start, ".SS %s", bl_text_of(verb, "name"));
         char *part = part_of(man, start, ".SS", ".SH");
         if (!part)
             fail_msg("man/bandlimit.1 has no part '%s'", start);
@@ -107,8 +102,8 @@ static void test_the_help_of_a_verb_has_its_options(void **state) {
     size_t index, k;
     json_t *verb, *option;
     json_array_foreach(json_object_get(help, "verbs"), index, verb) {
-        bl_ran ran = bl_run_program(text_of(verb, "name"), "--help");
-        bl_ran same = bl_run_program("help", text_of(verb, "name"));
+        bl_ran ran = bl_run_program(bl_text_of(verb, "name"), "--help");
+        bl_ran same = bl_run_program("help", bl_text_of(verb, "name"));
         assert_int_equal(ran.status, 0);
         assert_string_equal(ran.out, same.out);
         assert_string_equal(ran.err, "");
@@ -117,9 +112,9 @@ static void test_the_help_of_a_verb_has_its_options(void **state) {
         for (int l = 0; l < 2; l++)
             json_array_foreach(lists[l], k, option) {
                 char name[96];
-                snprintf(name, sizeof name, "--%s", text_of(option, "name"));
+                snprintf(name, sizeof name, "--%s", bl_text_of(option, "name"));
                 if (!strstr(ran.out, name))
-                    fail_msg("the help of %s lacks %s", text_of(verb, "name"), name);
+                    fail_msg("the help of %s lacks %s", bl_text_of(verb, "name"), name);
             }
         bl_ran_free(&ran);
         bl_ran_free(&same);
@@ -131,33 +126,33 @@ static void test_lines_of_help_fit_a_terminal(void **state) {
     size_t index;
     json_t *verb;
     json_array_foreach(json_object_get(help, "verbs"), index, verb) {
-        bl_ran ran = bl_run_program("help", text_of(verb, "name"));
+        bl_ran ran = bl_run_program("help", bl_text_of(verb, "name"));
         for (char *rest = NULL, *line = strtok_r(ran.out, "\n", &rest); line;
              line = strtok_r(NULL, "\n", &rest))
             if (strlen(line) > 80)
-                fail_msg("help of %s: '%s' is longer than 80", text_of(verb, "name"), line);
+                fail_msg("help of %s: '%s' is longer than 80", bl_text_of(verb, "name"), line);
         bl_ran_free(&ran);
     }
 }
 
 static void test_the_completion_knows_verbs_and_options(void **state) {
     (void)state;
-    char *script = bl_test_read("completion/bandlimit.bash");
+    char *script = bl_temporary_read("completion/bandlimit.bash", NULL);
     assert_non_null(script);
     size_t index, k;
     json_t *verb, *option;
     json_array_foreach(json_object_get(help, "verbs"), index, verb) {
         char word[96];
-        if (!strstr(script, text_of(verb, "name")))
-            fail_msg("completion lacks the verb %s", text_of(verb, "name"));
+        if (!strstr(script, bl_text_of(verb, "name")))
+            fail_msg("completion lacks the verb %s", bl_text_of(verb, "name"));
         json_t *lists[] = {json_object_get(verb, "options"),
                            json_object_get(help, "common_options")};
         for (int l = 0; l < 2; l++)
             json_array_foreach(lists[l], k, option) {
-                snprintf(word, sizeof word, "--%s", text_of(option, "name"));
+                snprintf(word, sizeof word, "--%s", bl_text_of(option, "name"));
                 if (!strstr(script, word))
                     fail_msg("completion lacks %s", word);
-                snprintf(word, sizeof word, "--%s", text_of(option, "also"));
+                snprintf(word, sizeof word, "--%s", bl_text_of(option, "also"));
                 if (!strstr(script, word))
                     fail_msg("completion lacks %s", word);
             }
@@ -172,7 +167,7 @@ static void test_bare_help_lists_every_verb(void **state) {
     size_t index;
     json_t *verb;
     json_array_foreach(json_object_get(help, "verbs"), index, verb)
-        assert_non_null(strstr(ran.out, text_of(verb, "summary")));
+        assert_non_null(strstr(ran.out, bl_text_of(verb, "summary")));
     bl_ran_free(&ran);
 }
 
@@ -182,7 +177,7 @@ static void test_version_is_the_same_everywhere(void **state) {
     assert_int_equal(flag.status, 0);
     assert_string_equal(flag.out, verb.out);
     char expected[64];
-    snprintf(expected, sizeof expected, "bandlimit %s\n", text_of(help, "version"));
+    snprintf(expected, sizeof expected, "bandlimit %s\n", bl_text_of(help, "version"));
     assert_true(strncmp(flag.out, expected, strlen(expected)) == 0);
     bl_ran_free(&flag);
     bl_ran_free(&verb);

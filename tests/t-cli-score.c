@@ -3,11 +3,12 @@
 // The verb `score` and `check --claims`: their tables, JSON, files and exit status.
 #include "tests/test.h"
 
-#include <jansson.h>
 #include <unistd.h>
 
 #include "score/score.h"
+#include "tests/json.h"
 #include "tests/program.h"
+#include "tests/temporary.h"
 
 // Fails unless the program ends so and says that.
 static void expect(int status, const char *says, const char *const *words) {
@@ -31,11 +32,6 @@ static json_t *run_json(const char *const *words) {
 }
 #define RUN_JSON(...) run_json((const char *const[]){__VA_ARGS__, "--json", NULL})
 
-static const char *text_of(const json_t *object, const char *key) {
-    const char *text = json_string_value(json_object_get(object, key));
-    return text ? text : "";
-}
-
 static int is_one_of(const char *word, const char *const *words) {
     for (; *words; words++)
         if (strcmp(word, *words) == 0)
@@ -48,10 +44,10 @@ static void check_property(const char *name, const json_t *property) {
     static const char *const against[] = {"claim", "ideal", NULL};
     const char *key;
     json_t *number;
-    if (!is_one_of(text_of(property, "verdict"), verdicts) ||
-        !is_one_of(text_of(property, "against"), against) || !*text_of(property, "reason"))
-        fail_msg("%s: verdict '%s' against '%s': '%s'", name, text_of(property, "verdict"),
-                 text_of(property, "against"), text_of(property, "reason"));
+    if (!is_one_of(bl_text_of(property, "verdict"), verdicts) ||
+        !is_one_of(bl_text_of(property, "against"), against) || !*bl_text_of(property, "reason"))
+        fail_msg("%s: verdict '%s' against '%s': '%s'", name, bl_text_of(property, "verdict"),
+                 bl_text_of(property, "against"), bl_text_of(property, "reason"));
     assert_true(json_is_string(json_object_get(property, "cell")));
     json_object_foreach(json_object_get(property, "numbers"), key, number) {
         static const char *const keys[] = {"value", "lower", "upper", "level", "samples"};
@@ -65,10 +61,10 @@ static void test_the_object_has_a_row_a_signal_and_a_key_a_property(void **state
     (void)state;
     static const char *const own[] = {"repeatable", "range", "band", "cost"};
     json_t *object = RUN_JSON("score", "gnoise", "vnoise:seed=3", "--quick", "--strict");
-    assert_string_equal(text_of(object, "schema"), "bandlimit.score/1");
+    assert_string_equal(bl_text_of(object, "schema"), "bandlimit.score/1");
     const json_t *rows = json_object_get(object, "rows");
     assert_int_equal(json_array_size(rows), 2);
-    assert_string_equal(text_of(json_array_get(rows, 1), "signal"), "vnoise:seed=3");
+    assert_string_equal(bl_text_of(json_array_get(rows, 1), "signal"), "vnoise:seed=3");
     for (size_t r = 0; r < 2; r++) {
         json_t *properties = json_object_get(json_array_get(rows, r), "properties"), *property;
         const char *name;
@@ -85,9 +81,9 @@ static void test_properties_are_chosen_by_name(void **state) {
         RUN_JSON("score", "gnoise", "--quick", "--only", "range,cost", "--skip", "cost");
     json_t *properties =
         json_object_get(json_array_get(json_object_get(object, "rows"), 0), "properties");
-    assert_string_equal(text_of(json_object_get(properties, "range"), "verdict"), "pass");
-    assert_string_equal(text_of(json_object_get(properties, "cost"), "verdict"), "not-run");
-    assert_string_equal(text_of(json_object_get(properties, "band"), "reason"), "not asked for");
+    assert_string_equal(bl_text_of(json_object_get(properties, "range"), "verdict"), "pass");
+    assert_string_equal(bl_text_of(json_object_get(properties, "cost"), "verdict"), "not-run");
+    assert_string_equal(bl_text_of(json_object_get(properties, "band"), "reason"), "not asked for");
     json_decref(object);
     EXPECT(64, "did you mean 'range'", "score", "gnoise", "--only", "rnage");
     EXPECT(64, "leave no property", "score", "gnoise", "--only", "range", "--skip", "range");
@@ -98,7 +94,7 @@ static void test_properties_are_chosen_by_name(void **state) {
 static void test_strict_counts_the_ideal(void **state) {
     (void)state;
     // 3.7 pixels to a cell that are said to be five: all frequencies are a third too high.
-    const char *image = bl_test_path("strict.exr");
+    const char *image = bl_temporary_path("strict.exr");
     char text[300];
     EXPECT(0, "256 x 256", "render", "vnoise:interp=linear", "--width", "256", "--height", "256",
            "--scale", "70", "-o", image);
@@ -166,7 +162,7 @@ static void test_columns_that_are_shown_are_explained(void **state) {
 
 static void test_a_source_that_fails_is_an_error(void **state) {
     (void)state;
-    const char *build = getenv("BL_BUILD"), *data = bl_test_path("failed.csv");
+    const char *build = getenv("BL_BUILD"), *data = bl_temporary_path("failed.csv");
     char text[300];
     snprintf(text, sizeof text, "cmd:%s/tests/plugins/child 2die", build ? build : "build");
     EXPECT(4, text, "score", "gnoise", text, "--quick", "-o", data);
@@ -177,9 +173,9 @@ static void test_a_source_that_fails_is_an_error(void **state) {
 
 static void test_numbers_go_to_a_file_or_a_page(void **state) {
     (void)state;
-    const char *data = bl_test_path("score.csv"), *page = bl_test_path("score.html");
+    const char *data = bl_temporary_path("score.csv"), *page = bl_temporary_path("score.html");
     EXPECT(0, "", "score", "gnoise", "--quick", "--only", "range", "-o", data);
-    char *text = bl_test_read(data);
+    char *text = bl_temporary_read(data, NULL);
     assert_non_null(strstr(text,
                            "\nsignal,property,verdict,against,number,value,lower,upper,"
                            "level,samples,reason\n"));
@@ -187,7 +183,7 @@ static void test_numbers_go_to_a_file_or_a_page(void **state) {
     assert_non_null(strstr(text, "size quick,"));
     free(text);
     EXPECT(0, "", "score", "gnoise", "--quick", "--only", "range", "-o", page);
-    text = bl_test_read(page);
+    text = bl_temporary_read(page, NULL);
     assert_non_null(strstr(text, "<!DOCTYPE html>"));
     assert_non_null(strstr(text, "used_of_bound"));
     assert_null(strstr(text, "<script"));
@@ -195,7 +191,7 @@ static void test_numbers_go_to_a_file_or_a_page(void **state) {
     free(text);
     unlink(data), unlink(page);
     EXPECT(4, "cannot write", "score", "gnoise", "--full", "-o",
-           bl_test_path("no/such/score.html"));
+           bl_temporary_path("no/such/score.html"));
 }
 
 static void test_claims_are_checked_a_line_a_claim(void **state) {
@@ -203,19 +199,19 @@ static void test_claims_are_checked_a_line_a_claim(void **state) {
     json_t *object = RUN_JSON("check", "gnoise", "--claims", "--quick");
     static const char *const wanted[] = {"repeatable", "range", "mean", "variance", "band"};
     const json_t *claims = json_object_get(object, "claims");
-    assert_string_equal(text_of(object, "verdict"), "pass");
+    assert_string_equal(bl_text_of(object, "verdict"), "pass");
     for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++) {
         int found = 0;
         for (size_t k = 0; k < json_array_size(claims); k++)
-            found |= strcmp(text_of(json_array_get(claims, k), "claim"), wanted[i]) == 0;
+            found |= strcmp(bl_text_of(json_array_get(claims, k), "claim"), wanted[i]) == 0;
         if (!found)
             fail_msg("no claim '%s'", wanted[i]);
     }
     json_decref(object);
     EXPECT(0, "variance       pass", "check", "gnoise", "--claims", "--quick");
-    const char *data = bl_test_path("claims.csv");
+    const char *data = bl_temporary_path("claims.csv");
     EXPECT(0, "", "check", "gnoise", "--claims", "--quick", "-o", data);
-    char *text = bl_test_read(data);
+    char *text = bl_temporary_read(data, NULL);
     assert_non_null(strstr(text, "\nvariance,range,pass,"));
     free(text);
     unlink(data);
@@ -237,7 +233,7 @@ static void test_claims_decide_the_exit_status(void **state) {
     EXPECT(2, "verdict        fail", "check", liar, "--claims", "--quick");
     EXPECT(1, "verdict        inconclusive", "check", seldom, "--claims", "--quick");
     json_t *object = RUN_JSON("check", liar, "--claims", "--quick");
-    assert_string_equal(text_of(object, "verdict"), "fail");
+    assert_string_equal(bl_text_of(object, "verdict"), "fail");
     json_decref(object);
     const char *const orders[][3] = {
         {liar, "gnoise", seldom}, {"gnoise", liar, seldom}, {seldom, "gnoise", liar}};
@@ -269,7 +265,7 @@ static void test_a_table_shares_its_alpha(void **state) {
 
 static void test_a_signal_that_states_nothing_has_no_claims(void **state) {
     (void)state;
-    const char *image = bl_test_path("claims.exr");
+    const char *image = bl_temporary_path("claims.exr");
     EXPECT(0, "64 x 64", "render", "gnoise", "--width", "64", "--height", "64", "-o", image);
     EXPECT(3, "states nothing", "check", image, "--claims", "--quick");
     unlink(image);
@@ -306,6 +302,5 @@ int main(void) {
         cmocka_unit_test(test_a_signal_that_states_nothing_has_no_claims),
         cmocka_unit_test(test_claims_refuse_what_says_nothing_to_them),
     };
-    bl_set_filter();
-    return cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_run_tests(tests);
 }

@@ -3,49 +3,27 @@
 // The verbs trade and advise: what they print, their JSON, their files, their exit status.
 #include "tests/test.h"
 
-#include <jansson.h>
-
+#include "tests/json.h"
 #include "tests/program.h"
+#include "tests/temporary.h"
 
-static json_t *run_json(int status, const char *const *words) {
-    bl_ran ran = bl_run_words(NULL, words);
-    if (ran.status != status)
-        fail_msg("%s %s: status %d, expected %d: %s", words[0], words[1], ran.status, status,
-                 ran.err);
-    json_error_t error;
-    json_t *object = json_loads(ran.out, 0, &error);
-    if (!object)
-        fail_msg("%s: not JSON: %s at line %d", words[0], error.text, error.line);
-    bl_ran_free(&ran);
-    return object;
-}
 #define RUN_JSON(status, ...)                                                                      \
-    run_json(status, (const char *const[]){__VA_ARGS__, "--json", "--quick", NULL})
-
-static const char *text_of(const json_t *object, const char *key) {
-    const char *text = json_string_value(json_object_get(object, key));
-    return text ? text : "";
-}
-
-static double number_of(const json_t *object, const char *key) {
-    const json_t *value = json_object_get(object, key);
-    return json_is_number(value) ? json_number_value(value) : NAN;
-}
+    bl_run_json(status, (const char *const[]){__VA_ARGS__, "--json", "--quick", NULL})
 
 static void test_trade_reports_every_alternative_with_its_intervals(void **state) {
     (void)state;
     json_t *object = RUN_JSON(0, "trade", "bias");
     json_t *trades = json_object_get(object, "trades");
-    assert_string_equal(text_of(object, "schema"), "bandlimit.trade/1");
+    assert_string_equal(bl_text_of(object, "schema"), "bandlimit.trade/1");
     assert_int_equal(json_array_size(trades), 1);
     json_t *rows = json_object_get(json_array_get(trades, 0), "alternatives");
-    assert_string_equal(text_of(json_array_get(trades, 0), "trade"), "curve-form");
+    assert_string_equal(bl_text_of(json_array_get(trades, 0), "trade"), "curve-form");
     assert_int_equal(json_array_size(rows), 2);
     for (size_t i = 0; i < json_array_size(rows); i++) {
         const json_t *row = json_array_get(rows, i);
-        assert_true(number_of(row, "error_lower") <= number_of(row, "error"));
-        assert_true(number_of(row, "error") <= number_of(row, "error_upper"));
-        assert_true(number_of(row, "ns_per_sample_lower") <= number_of(row, "ns_per_sample"));
+        assert_true(bl_number_of(row, "error_lower") <= bl_number_of(row, "error"));
+        assert_true(bl_number_of(row, "error") <= bl_number_of(row, "error_upper"));
+        assert_true(bl_number_of(row, "ns_per_sample_lower") <= bl_number_of(row, "ns_per_sample"));
         assert_true(json_is_boolean(json_object_get(row, "front")));
     }
     json_decref(object);
@@ -68,7 +46,7 @@ static void test_trade_shows_all_that_apply_or_the_one_asked_for(void **state) {
 static void test_trade_takes_the_word_spectrum(void **state) {
     (void)state;
     json_t *object = RUN_JSON(0, "trade", "spectrum");
-    assert_string_equal(text_of(json_array_get(json_object_get(object, "trades"), 0), "trade"),
+    assert_string_equal(bl_text_of(json_array_get(json_object_get(object, "trades"), 0), "trade"),
                         "averages");
     json_decref(object);
 }
@@ -87,11 +65,11 @@ static size_t rows_of(const char *text) {
 static void test_trade_writes_its_table_and_its_plot(void **state) {
     (void)state;
     static const char *const files[] = {"curve-form.gp", "curve-form.svg", "curve-form.png"};
-    bl_ran ran = bl_run_program("trade", "gain", "--quick", "-o", bl_test_path("gain"));
+    bl_ran ran = bl_run_program("trade", "gain", "--quick", "-o", bl_temporary_path("gain"));
     assert_int_equal(ran.status, 0);
     bl_ran_free(&ran);
-    char *table = bl_test_read(bl_test_path("gain/curve-form.csv"));
-    char *front = bl_test_read(bl_test_path("gain/curve-form-front.csv"));
+    char *table = bl_temporary_read(bl_temporary_path("gain/curve-form.csv"), NULL);
+    char *front = bl_temporary_read(bl_temporary_path("gain/curve-form-front.csv"), NULL);
     assert_non_null(table);
     assert_non_null(front);
     assert_int_equal(rows_of(table), 2);
@@ -102,7 +80,7 @@ static void test_trade_writes_its_table_and_its_plot(void **state) {
     for (int i = 0; i < 3; i++) {
         char name[64];
         snprintf(name, sizeof name, "gain/%s", files[i]);
-        char *content = bl_test_read(bl_test_path(name));
+        char *content = bl_temporary_read(bl_temporary_path(name), NULL);
         assert_non_null(content);
         free(content);
     }
@@ -141,13 +119,13 @@ static void test_advise_agrees_with_its_exit_status(void **state) {
             RUN_JSON(cases[i].status, "advise", "checkerboard", "--tolerance", cases[i].tolerance,
                      "--size", "32", "--view", "flat:scale=9.6,rotate=20", "--method", "point",
                      "--method", "supersample:n=2");
-        assert_string_equal(text_of(object, "schema"), "bandlimit.advise/1");
-        assert_string_equal(text_of(object, "verdict"), cases[i].verdict);
-        assert_near(number_of(object, "exit_status"), cases[i].status, 0);
+        assert_string_equal(bl_text_of(object, "schema"), "bandlimit.advise/1");
+        assert_string_equal(bl_text_of(object, "verdict"), cases[i].verdict);
+        assert_near(bl_number_of(object, "exit_status"), cases[i].status, 0);
         assert_int_equal(json_is_null(json_object_get(object, "advice")), i);
         assert_int_equal(json_array_size(json_object_get(object, "rows")), 2);
-        assert_near(number_of(json_object_get(object, "needs"), "least_width"), 0.3 * cos(M_PI / 9),
-                    1e-12);
+        assert_near(bl_number_of(json_object_get(object, "needs"), "least_width"),
+                    0.3 * cos(M_PI / 9), 1e-12);
         json_decref(object);
     }
 }
@@ -177,5 +155,5 @@ int main(void) {
         cmocka_unit_test(test_advise_agrees_with_its_exit_status),
         cmocka_unit_test(test_advise_says_what_to_use_and_what_is_not_needed),
     };
-    return bl_set_filter(), cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_run_tests(tests);
 }

@@ -3,36 +3,15 @@
 // The verbs: what they print, their JSON, their files, their exit status.
 #include "tests/test.h"
 
-#include <jansson.h>
 #include <unistd.h>
 
 #include "noises/noise.h"
+#include "tests/json.h"
 #include "tests/program.h"
+#include "tests/temporary.h"
 
-// Runs with --json, expects the status, and returns the object; the caller drops it.
-static json_t *run_json(int status, const char *const *words) {
-    bl_ran ran = bl_run_words(NULL, words);
-    if (ran.status != status)
-        fail_msg("%s %s: status %d, expected %d: %s", words[0], words[1], ran.status, status,
-                 ran.err);
-    json_error_t error;
-    json_t *object = json_loads(ran.out, 0, &error);
-    if (!object)
-        fail_msg("%s: not JSON: %s at line %d", words[0], error.text, error.line);
-    bl_ran_free(&ran);
-    return object;
-}
-#define RUN_JSON(status, ...) run_json(status, (const char *const[]){__VA_ARGS__, "--json", NULL})
-
-static double number_of(const json_t *object, const char *key) {
-    const json_t *value = json_object_get(object, key);
-    return json_is_number(value) ? json_number_value(value) : NAN;
-}
-
-static const char *text_of(const json_t *object, const char *key) {
-    const char *text = json_string_value(json_object_get(object, key));
-    return text ? text : "";
-}
+#define RUN_JSON(status, ...)                                                                      \
+    bl_run_json(status, (const char *const[]){__VA_ARGS__, "--json", NULL})
 
 static double item_of(const json_t *object, const char *key, size_t index) {
     return json_number_value(json_array_get(json_object_get(object, key), index));
@@ -49,7 +28,7 @@ static void expect_head(const json_t *object, const char *schema, const char *fi
         assert_string_equal(json_object_iter_key(iterator), keys[i]);
         iterator = json_object_iter_next((json_t *)object, iterator);
     }
-    assert_string_equal(text_of(object, "schema"), schema);
+    assert_string_equal(bl_text_of(object, "schema"), schema);
     assert_string_equal(json_string_value(json_array_get(json_object_get(object, "arguments"), 0)),
                         first);
 }
@@ -70,7 +49,7 @@ static void test_every_object_starts_with_schema_version_and_arguments(void **st
         const char *words[6] = {calls[i][0], "--json"};
         for (size_t k = 1; k < 4 && calls[i][k]; k++)
             words[k + 1] = calls[i][k];
-        json_t *object = run_json(0, words);
+        json_t *object = bl_run_json(0, words);
         char schema[64];
         snprintf(schema, sizeof schema, "bandlimit.%s/1", calls[i][0]);
         expect_head(object, schema, calls[i][0]);
@@ -83,11 +62,11 @@ static void test_an_error_is_an_object_too(void **state) {
     json_t *object = RUN_JSON(64, "eval", "gnose", "1");
     expect_head(object, "bandlimit.error/1", "eval");
     json_t *error = json_object_get(object, "error");
-    assert_int_equal(number_of(error, "status"), 64);
-    assert_non_null(strstr(text_of(error, "message"), "gnoise"));
+    assert_int_equal(bl_number_of(error, "status"), 64);
+    assert_non_null(strstr(bl_text_of(error, "message"), "gnoise"));
     json_decref(object);
     object = RUN_JSON(4, "eval", "missing.exr", "1");
-    assert_int_equal(number_of(json_object_get(object, "error"), "status"), 4);
+    assert_int_equal(bl_number_of(json_object_get(object, "error"), "status"), 4);
     json_decref(object);
 }
 
@@ -116,7 +95,7 @@ static void test_every_noise_can_be_shown_and_evaluated(void **state) {
     for (size_t i = 0; i < bl_noise_count(); i++) {
         const bl_noise *noise = bl_noise_at(i, BL_ISA_BASELINE);
         json_t *object = RUN_JSON(0, "show", noise->name);
-        assert_string_equal(text_of(object, "formula"), noise->formula);
+        assert_string_equal(bl_text_of(object, "formula"), noise->formula);
         assert_true(size_of(object, "parameters") > 0);
         json_decref(object);
         object = RUN_JSON(0, "eval", noise->name, "0.3", "-1.7", "12.25");
@@ -188,7 +167,7 @@ static void test_threads_and_instruction_sets_give_the_same_bits(void **state) {
 
 static void test_a_spectrum_keeps_its_sums(void **state) {
     (void)state;
-    const char *csv = bl_test_path("spectrum.csv");
+    const char *csv = bl_temporary_path("spectrum.csv");
     json_t *object = RUN_JSON(0, "spectrum", "gnoise", "--quick", "--band", "0:inf", "--band",
                               "0.5:1", "-o", csv);
     size_t count = size_of(object, "frequency"), rows = 0, headers = 0;
@@ -198,12 +177,12 @@ static void test_a_spectrum_keeps_its_sums(void **state) {
     for (size_t i = 1; i < count; i++)
         assert_true(item_of(object, "lower", i) <= item_of(object, "psd", i) &&
                     item_of(object, "psd", i) <= item_of(object, "upper", i));
-    assert_less(number_of(object, "parseval_residual"), 1e-12);
+    assert_less(bl_number_of(object, "parseval_residual"), 1e-12);
     json_t *bands = json_object_get(object, "bands");
     assert_int_equal(json_array_size(bands), 2);
-    assert_near(number_of(json_array_get(bands, 0), "fraction"), 1, 1e-9);
+    assert_near(bl_number_of(json_array_get(bands, 0), "fraction"), 1, 1e-9);
     assert_true(json_is_null(json_object_get(json_array_get(bands, 0), "to")));
-    char *text = bl_test_read(csv), *rest = NULL;
+    char *text = bl_temporary_read(csv, NULL), *rest = NULL;
     assert_non_null(text);
     for (char *line = strtok_r(text, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest)) {
         headers += strncmp(line, "frequency,psd,lower,upper,theory", 32) == 0;
@@ -231,16 +210,16 @@ static void test_the_verdict_is_the_exit_status(void **state) {
     (void)state;
     json_t *pass = RUN_JSON(0, "check", "gnoise", "--quick", "--band", "0:2", "--leak", "-3");
     json_t *fail = RUN_JSON(2, "check", "gnoise", "--quick", "--band", "3:4", "--leak", "-20");
-    assert_string_equal(text_of(pass, "verdict"), "pass");
-    assert_string_equal(text_of(fail, "verdict"), "fail");
-    assert_int_equal(number_of(fail, "exit_status"), 2);
+    assert_string_equal(bl_text_of(pass, "verdict"), "pass");
+    assert_string_equal(bl_text_of(fail, "verdict"), "fail");
+    assert_int_equal(bl_number_of(fail, "exit_status"), 2);
     char limit[32];
-    snprintf(limit, sizeof limit, "%.6f", number_of(pass, "leak_db"));
+    snprintf(limit, sizeof limit, "%.6f", bl_number_of(pass, "leak_db"));
     json_t *between = RUN_JSON(1, "check", "gnoise", "--quick", "--band", "0:2", "--leak", limit);
-    assert_string_equal(text_of(between, "verdict"), "inconclusive");
-    assert_true(number_of(between, "lower_db") < number_of(between, "limit_db") &&
-                number_of(between, "limit_db") < number_of(between, "upper_db"));
-    assert_true(number_of(between, "needed_averages") > 0);
+    assert_string_equal(bl_text_of(between, "verdict"), "inconclusive");
+    assert_true(bl_number_of(between, "lower_db") < bl_number_of(between, "limit_db") &&
+                bl_number_of(between, "limit_db") < bl_number_of(between, "upper_db"));
+    assert_true(bl_number_of(between, "needed_averages") > 0);
     json_decref(pass);
     json_decref(fail);
     json_decref(between);
@@ -253,14 +232,14 @@ static void test_a_histogram_counts_every_sample(void **state) {
     json_t *const both[] = {object, narrow};
     assert_int_equal(size_of(object, "counts"), 10);
     for (int i = 0; i < 2; i++) {
-        double sum = number_of(both[i], "outside");
+        double sum = bl_number_of(both[i], "outside");
         for (size_t k = 0; k < size_of(both[i], "counts"); k++)
             sum += item_of(both[i], "counts", k);
-        assert_true(sum == number_of(both[i], "samples"));
+        assert_true(sum == bl_number_of(both[i], "samples"));
         assert_int_equal(size_of(both[i], "bins"), size_of(both[i], "counts") + 1);
     }
-    assert_true(number_of(object, "min") < number_of(object, "max"));
-    assert_true(number_of(narrow, "outside") > 0);
+    assert_true(bl_number_of(object, "min") < bl_number_of(object, "max"));
+    assert_true(bl_number_of(narrow, "outside") > 0);
     json_decref(object);
     json_decref(narrow);
 }
@@ -268,10 +247,10 @@ static void test_a_histogram_counts_every_sample(void **state) {
 // Pixel (i, j) of a slice stands at the centre plus (i - (w-1)/2, (h-1)/2 - j) spacings.
 static void test_a_rendered_image_holds_the_values(void **state) {
     (void)state;
-    const char *path = bl_test_path("slice.exr");
+    const char *path = bl_temporary_path("slice.exr");
     json_t *object = RUN_JSON(0, "render", "gnoise", "--width", "8", "--height", "6", "--scale",
                               "4", "--at", "0.3,0.4,0.5", "-o", path);
-    assert_near(number_of(object, "spacing_units"), 0.5, 0);
+    assert_near(bl_number_of(object, "spacing_units"), 0.5, 0);
     json_decref(object);
     json_t *pixel = RUN_JSON(0, "eval", path, "0.5", "1");
     json_t *value = RUN_JSON(0, "eval", "gnoise", "-0.95", "0.65", "0.5");
@@ -282,7 +261,7 @@ static void test_a_rendered_image_holds_the_values(void **state) {
     assert_string_equal(ran.out, "nan\n");
     bl_ran_free(&ran);
     unlink(path);
-    assert_int_equal(bl_test_files(), 0);
+    assert_int_equal(bl_temporary_files(), 0);
 }
 
 // Black and white as a PNG takes them when nobody says. The bounds are those the noises state: a
@@ -297,7 +276,7 @@ static void test_a_png_spans_what_the_signal_states(void **state) {
                  {"rayshade", 0, 1},
                  {"cellular", 0, 1.7320508075688772},
                  {"gabor", -4 * 0.49953, 4 * 0.49953}};
-    const char *path = bl_test_path("span.png");
+    const char *path = bl_temporary_path("span.png");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         json_t *object =
             RUN_JSON(0, "render", cases[i].text, "--width", "64", "--scale", "16", "-o", path);
@@ -305,24 +284,26 @@ static void test_a_png_spans_what_the_signal_states(void **state) {
         assert_near(item_of(object, "range", 1), cases[i].white, 1e-3);
         // Four deviations leave out few, and so do the crests of a spline beyond 1; the range is
         // used.
-        assert_less(number_of(object, "clipped"), 64 * 64 * 0.02);
+        assert_less(bl_number_of(object, "clipped"), 64 * 64 * 0.02);
         double span = item_of(object, "range", 1) - item_of(object, "range", 0);
-        assert_true(number_of(object, "max") - number_of(object, "min") > 0.35 * span);
+        assert_true(bl_number_of(object, "max") - bl_number_of(object, "min") > 0.35 * span);
         json_decref(object);
     }
     json_t *given = RUN_JSON(0, "render", "rayshade", "--width", "8", "--range=-2:3", "-o", path);
     assert_near(item_of(given, "range", 0), -2, 0);
     json_decref(given);
     // What was rendered is an image of 0 to 1 itself, and an EXR of a noise keeps its signs.
-    json_t *again = RUN_JSON(0, "render", path, "--width", "8", "-o", bl_test_path("again.png"));
+    json_t *again =
+        RUN_JSON(0, "render", path, "--width", "8", "-o", bl_temporary_path("again.png"));
     assert_near(item_of(again, "range", 0), 0, 0);
     assert_near(item_of(again, "range", 1), 1, 0);
     json_decref(again);
-    json_decref(RUN_JSON(0, "render", "gnoise", "--width", "32", "-o", bl_test_path("signs.exr")));
-    json_t *signs = RUN_JSON(0, "render", bl_test_path("signs.exr"), "-o", path);
+    json_decref(
+        RUN_JSON(0, "render", "gnoise", "--width", "32", "-o", bl_temporary_path("signs.exr")));
+    json_t *signs = RUN_JSON(0, "render", bl_temporary_path("signs.exr"), "-o", path);
     assert_near(item_of(signs, "range", 0), -1, 0);
     json_decref(signs);
-    unlink(path), unlink(bl_test_path("again.png")), unlink(bl_test_path("signs.exr"));
+    unlink(path), unlink(bl_temporary_path("again.png")), unlink(bl_temporary_path("signs.exr"));
 }
 
 static double channel_at(const char *path, const char *channel) {
@@ -349,33 +330,34 @@ static void test_a_texture_is_rendered_in_colour(void **state) {
                  {"brick:component=blue", "b.png", "", 0.14},
                  {"brick:width=1e6,filter=exact", "b.exr", "G", 0.5 - 0.35 * 0.25 * 0.08 / 0.0234}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const char *path = bl_test_path(cases[i].file);
+        const char *path = bl_temporary_path(cases[i].file);
         json_t *object = RUN_JSON(0, "render", cases[i].signal, "--width", "1", "--at",
                                   "0.13,0.045", "-o", path);
-        assert_string_equal(text_of(object, "colour"), *cases[i].channel ? "linear sRGB" : "none");
+        assert_string_equal(bl_text_of(object, "colour"),
+                            *cases[i].channel ? "linear sRGB" : "none");
         json_decref(object);
         assert_near(channel_at(path, cases[i].channel), cases[i].expected, 0.0021);
         unlink(path);
     }
     bl_ran ran =
-        bl_run_program("render", "brick", "--components", "3", "-o", bl_test_path("b.exr"));
+        bl_run_program("render", "brick", "--components", "3", "-o", bl_temporary_path("b.exr"));
     assert_int_equal(ran.status, 3);
     bl_ran_free(&ran);
-    assert_int_equal(bl_test_files(), 0);
+    assert_int_equal(bl_temporary_files(), 0);
 }
 
 static void test_a_report_goes_to_the_file_and_to_nowhere_else(void **state) {
     (void)state;
-    const char *text = bl_test_path("list.txt"), *json = bl_test_path("check.json");
+    const char *text = bl_temporary_path("list.txt"), *json = bl_temporary_path("check.json");
     bl_ran plain = bl_run_program("list"), file = bl_run_program("list", "-o", text);
-    char *read = bl_test_read(text);
+    char *read = bl_temporary_read(text, NULL);
     assert_string_equal(read, plain.out);
     assert_string_equal(file.out, "");
     bl_ran verdict = bl_run_program("check", "gnoise", "--quick", "--band", "3:4", "-o", json);
     assert_int_equal(verdict.status, 2);
     assert_string_equal(verdict.out, "");
     json_t *object = json_load_file(json, 0, NULL);
-    assert_string_equal(text_of(object, "verdict"), "fail");
+    assert_string_equal(bl_text_of(object, "verdict"), "fail");
     json_decref(object);
     free(read);
     bl_ran_free(&plain);
@@ -398,13 +380,14 @@ static void test_the_benchmark_has_its_rows(void **state) {
     json_t *object = RUN_JSON(0, "bench", "gnoise", "--quick"), *row;
     size_t index, along = 0, scattered = 0;
     json_array_foreach(json_object_get(object, "rows"), index, row) {
-        if (strcmp(text_of(row, "signal"), "gnoise") != 0)
+        if (strcmp(bl_text_of(row, "signal"), "gnoise") != 0)
             continue;
-        along += strncmp(text_of(row, "path"), "row-", 4) == 0;
-        scattered += strcmp(text_of(row, "path"), "points") == 0;
-        assert_true(number_of(row, "ns_per_sample") > 0);
-        assert_true(number_of(row, "ns_per_sample") <= number_of(row, "ns_per_sample_median"));
-        assert_less(number_of(row, "max_error"), 1e-5);
+        along += strncmp(bl_text_of(row, "path"), "row-", 4) == 0;
+        scattered += strcmp(bl_text_of(row, "path"), "points") == 0;
+        assert_true(bl_number_of(row, "ns_per_sample") > 0);
+        assert_true(bl_number_of(row, "ns_per_sample") <=
+                    bl_number_of(row, "ns_per_sample_median"));
+        assert_less(bl_number_of(row, "max_error"), 1e-5);
     }
     assert_int_equal(along, 6);
     assert_int_equal(scattered, 1);
@@ -434,6 +417,5 @@ int main(void) {
         cmocka_unit_test(test_quiet_leaves_the_exit_status_alone),
         cmocka_unit_test(test_the_benchmark_has_its_rows),
     };
-    bl_set_filter();
-    return cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_run_tests(tests);
 }

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "tests/program.h"
+#include "tests/temporary.h"
 
 static json_t *run_json(const char *const *words) {
     bl_ran ran = bl_run_words(NULL, words);
@@ -22,7 +23,7 @@ static json_t *run_json(const char *const *words) {
 
 // The number in a column of the row of a CSV file that begins with `word`.
 static double csv_number(const char *path, const char *word, const char *column) {
-    char *text = bl_test_read(path), *rest = text, *line;
+    char *text = bl_temporary_read(path, NULL), *rest = text, *line;
     double value = NAN;
     size_t wanted = 0;
     assert_non_null(text);
@@ -47,8 +48,8 @@ static double csv_number(const char *path, const char *word, const char *column)
 static void test_all_figures_are_made_for_noises_and_images(void **state) {
     (void)state;
     char image[300], folder[300], path[400];
-    snprintf(image, sizeof image, "%s", bl_test_path("tile.exr"));
-    snprintf(folder, sizeof folder, "%s", bl_test_path("compared"));
+    snprintf(image, sizeof image, "%s", bl_temporary_path("tile.exr"));
+    snprintf(folder, sizeof folder, "%s", bl_temporary_path("compared"));
     bl_ran made =
         bl_run_program("render", "vnoise", "--width", "128", "--scale", "16", "-o", image);
     assert_int_equal(made.status, 0);
@@ -77,7 +78,7 @@ static void test_all_figures_are_made_for_noises_and_images(void **state) {
 static void test_its_numbers_are_those_of_the_other_verbs(void **state) {
     (void)state;
     char folder[300], path[400];
-    snprintf(folder, sizeof folder, "%s", bl_test_path("numbers"));
+    snprintf(folder, sizeof folder, "%s", bl_temporary_path("numbers"));
     json_decref(RUN_JSON("compare", "gnoise", "--quick", "-o", folder, "--json"));
     snprintf(path, sizeof path, "%s/compare-spectrum/shares.csv", folder);
     double share = csv_number(path, "gnoise", "above_1");
@@ -97,11 +98,11 @@ static void test_a_program_gets_the_seed_where_its_words_have_it(void **state) {
     (void)state;
     char folder[300], text[400];
     const char *build = getenv("BL_BUILD");
-    snprintf(folder, sizeof folder, "%s", bl_test_path("program"));
+    snprintf(folder, sizeof folder, "%s", bl_temporary_path("program"));
     snprintf(text, sizeof text, "cmd:%s/tests/plugins/child saw {seed}", build ? build : "build");
     json_decref(RUN_JSON("compare", text, "--quick", "--seed", "4", "-o", folder, "--json"));
-    snprintf(folder, sizeof folder, "%s", bl_test_path("program/compare-line/graphs.csv"));
-    char *graphs = bl_test_read(folder);
+    snprintf(folder, sizeof folder, "%s", bl_temporary_path("program/compare-line/graphs.csv"));
+    char *graphs = bl_temporary_read(folder, NULL);
     assert_non_null(graphs);
     assert_non_null(strstr(graphs, "cmd,seed=4:")); // the setting
     assert_null(strstr(graphs, "seed=4,"));         // of which the words know nothing
@@ -120,17 +121,17 @@ static void test_a_constant_has_graphs_and_a_reason_for_what_it_lacks(void **sta
     static const char *const expected[] = {"no histogram of", "no spectrum along a line of",
                                            "no spectrum in a slice of", "it is constant"};
     char folder[300], path[400];
-    snprintf(folder, sizeof folder, "%s", bl_test_path("constant"));
+    snprintf(folder, sizeof folder, "%s", bl_temporary_path("constant"));
     json_decref(RUN_JSON("compare", function("constant"), "--quick", "-o", folder, "--json"));
     snprintf(path, sizeof path, "%s/index.html", folder);
-    char *page = bl_test_read(path);
+    char *page = bl_temporary_read(path, NULL);
     assert_non_null(page);
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++)
         if (!strstr(page, expected[i]))
             fail_msg("the page lacks '%s'", expected[i]);
     free(page);
     snprintf(path, sizeof path, "%s/compare-line/graphs.gp", folder);
-    char *script = bl_test_read(path);
+    char *script = bl_temporary_read(path, NULL);
     assert_non_null(script);
     assert_non_null(strstr(script, "set yrange [-0.899999999:1.1]"));
     free(script);
@@ -141,15 +142,15 @@ static void test_a_constant_has_graphs_and_a_reason_for_what_it_lacks(void **sta
 static void test_the_legend_has_the_closed_form_that_a_later_panel_shows(void **state) {
     (void)state;
     char folder[300], path[400];
-    snprintf(folder, sizeof folder, "%s", bl_test_path("legend"));
+    snprintf(folder, sizeof folder, "%s", bl_temporary_path("legend"));
     json_decref(RUN_JSON("compare", function("full"), "gnoise", "--quick", "-o", folder, "--json"));
     snprintf(path, sizeof path, "%s/compare-spectrum/spectra-line.gp", folder);
-    char *script = bl_test_read(path);
+    char *script = bl_temporary_read(path, NULL);
     assert_non_null(script);
     assert_non_null(strstr(script, "closed form"));
     free(script);
     snprintf(path, sizeof path, "%s/index.html", folder);
-    char *page = bl_test_read(path);
+    char *page = bl_temporary_read(path, NULL);
     assert_non_null(page);
     assert_non_null(strstr(page, "closed form</span>"));
     free(page);
@@ -157,7 +158,7 @@ static void test_the_legend_has_the_closed_form_that_a_later_panel_shows(void **
 
 static void test_what_is_no_number_is_told_before_anything_is_made(void **state) {
     (void)state;
-    const char *folder = bl_test_path("nowhere");
+    const char *folder = bl_temporary_path("nowhere");
     bl_ran ran = bl_run_program("compare", "gnoise", function("nowhere"), "--quick", "-o", folder);
     assert_int_equal(ran.status, 3);
     assert_non_null(strstr(ran.err, "functions.so:nowhere' gives nan at ("));
@@ -167,7 +168,7 @@ static void test_what_is_no_number_is_told_before_anything_is_made(void **state)
 
 static void test_bad_words_leave_nothing(void **state) {
     (void)state;
-    const char *folder = bl_test_path("none");
+    const char *folder = bl_temporary_path("none");
     bl_ran ran = bl_run_program("compare", "gnoise", "gnoize", "--quick", "-o", folder);
     assert_int_equal(ran.status, 64);
     assert_non_null(strstr(ran.err, "gnoise"));
@@ -191,6 +192,5 @@ int main(void) {
         cmocka_unit_test(test_what_is_no_number_is_told_before_anything_is_made),
         cmocka_unit_test(test_bad_words_leave_nothing),
     };
-    bl_set_filter();
-    return cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_run_tests(tests);
 }

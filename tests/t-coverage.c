@@ -10,16 +10,12 @@
 // one of the ends with a probability near 1e-4, at one of all some 80 with less than 1 in 100. The
 // allowed range is 90 to 98.5 % for a region of one noise, and 92.5 to 97.5 % over all noises. All
 // seeds are fixed, so a run repeats.
+#include "tests/temporary.h"
 #include "tests/test.h"
 
 #include "noises/noise.h"
 #include "spectra/psd.h"
 #include "tests/test_signals.h"
-
-static int keep_no_wisdom(void **state) {
-    (void)state;
-    return setenv("XDG_CACHE_HOME", "/dev/null/none", 1);
-}
 
 // Thirds of the way to Nyquist; of a line, the bins at multiples of half a cycle, which are their
 // own mirrors, are looked at alone.
@@ -226,5 +222,5 @@ int main(void) {
         cmocka_unit_test(test_the_variance_has_positive_limits_that_cover_it),
     };
     bl_set_filter();
-    return cmocka_run_group_tests(tests, keep_no_wisdom, NULL);
+    return cmocka_run_group_tests(tests, bl_temporary_no_wisdom, NULL);
 }

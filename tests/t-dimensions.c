@@ -14,6 +14,7 @@
 #include "noises/lattice/lattice_dimensions.h"
 #include "spectra/theory.h"
 #include "tests/program.h"
+#include "tests/temporary.h"
 #include "tests/texts.h"
 
 enum { COUNT = 203 };
@@ -549,7 +550,7 @@ static void test_the_program_prints_and_renders_components(void **state) {
                                 "--components", "3");
     assert_string_equal(all.out, expected);
     bl_ran_free(&all);
-    const char *png = bl_test_path("two.png"), *exr = bl_test_path("three.exr");
+    const char *png = bl_temporary_path("two.png"), *exr = bl_temporary_path("three.exr");
     bl_ran two = bl_run_program("render", "gnoise", "-o", png, "--components", "2");
     assert_int_equal(two.status, BL_USAGE);
     bl_ran_free(&two);
@@ -587,6 +588,5 @@ int main(void) {
         cmocka_unit_test(test_components_are_other_seeds_and_uncorrelated),
         cmocka_unit_test(test_the_program_prints_and_renders_components),
     };
-    bl_set_filter();
-    return cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_run_tests(tests);
 }

@@ -7,15 +7,17 @@
 #include <unistd.h>
 
 #include "tests/program.h"
+#include "tests/temporary.h"
 
 static void test_the_table_of_noises_is_that_of_the_program(void **state) {
     (void)state;
     char command[512];
-    const char *made = bl_test_path("noises.md"), *program = getenv("BL_PROGRAM");
+    const char *made = bl_temporary_path("noises.md"), *program = getenv("BL_PROGRAM");
     snprintf(command, sizeof command, "sh docs/tables.sh %s noises > %s",
              program ? program : "build/bandlimit", made);
     assert_int_equal(system(command), 0);
-    char *expected = bl_test_read(made), *found = bl_test_read("docs/noises.md");
+    char *expected = bl_temporary_read(made, NULL),
+         *found = bl_temporary_read("docs/noises.md", NULL);
     assert_non_null(expected);
     assert_non_null(found);
     if (strcmp(expected, found) != 0)
@@ -31,7 +33,7 @@ enum { DOCUMENTS = sizeof documents / sizeof *documents };
 static void test_links_lead_to_files(void **state) {
     (void)state;
     for (size_t d = 0; d < DOCUMENTS; d++) {
-        char *text = bl_test_read(documents[d]), path[512], target[256];
+        char *text = bl_temporary_read(documents[d], NULL), path[512], target[256];
         assert_non_null(text);
         const char *slash = strrchr(documents[d], '/');
         for (char *at = text; (at = strstr(at, "](")); at++) {
@@ -50,7 +52,7 @@ static void test_commands_begin_with_a_verb(void **state) {
     (void)state;
     size_t count = 0;
     for (size_t d = 0; d < DOCUMENTS; d++) {
-        char *text = bl_test_read(documents[d]), verb[32];
+        char *text = bl_temporary_read(documents[d], NULL), verb[32];
         assert_non_null(text);
         for (char *at = text; (at = strstr(at, "build/bandlimit ")); at++, count++) {
             if (sscanf(at, "build/bandlimit %31[a-z]", verb) != 1)
@@ -71,5 +73,5 @@ int main(void) {
         cmocka_unit_test(test_links_lead_to_files),
         cmocka_unit_test(test_commands_begin_with_a_verb),
     };
-    return bl_set_filter(), cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_run_tests(tests);
 }

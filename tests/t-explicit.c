@@ -23,11 +23,6 @@
 
 #define ERROR_RATE 1e-6
 
-static int keep_no_wisdom(void **state) {
-    (void)state;
-    return setenv("XDG_CACHE_HOME", "/dev/null/none", 1);
-}
-
 static bl_signal *open_signal(const char *text) {
     return bl_test_open(text, BL_ISA_BEST);
 }
@@ -780,5 +775,5 @@ int main(void) {
         cmocka_unit_test(test_displacements_state_their_range_and_variance),
     };
     bl_set_filter();
-    return cmocka_run_group_tests(tests, keep_no_wisdom, NULL);
+    return cmocka_run_group_tests(tests, bl_temporary_no_wisdom, NULL);
 }

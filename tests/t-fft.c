@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Transforms against the sum written out, and the promise of equal bits from run to run.
+#include "tests/temporary.h"
 #include "tests/test.h"
 
 #include <complex.h>
@@ -9,12 +10,6 @@
 
 #include "core/random.h"
 #include "core/fft.h"
-
-// Where no wisdom is kept, plans are estimated; tests leave no file in anybody's home.
-static int keep_no_wisdom(void **state) {
-    (void)state;
-    return setenv("XDG_CACHE_HOME", "/dev/null/none", 1);
-}
 
 static double get(bl_fft_precision precision, const void *buffer, size_t i) {
     return precision == BL_FFT_FLOAT ? (double)((const float *)buffer)[i]
@@ -208,7 +203,7 @@ static void test_wisdom_on_disk_gives_the_same_bits_again(void **state) {
     snprintf(path, sizeof path, "%s/bandlimit", cache);
     rmdir(path);
     rmdir(cache);
-    keep_no_wisdom(NULL);
+    bl_temporary_no_wisdom(NULL);
 }
 
 static void test_estimated_plans_give_the_same_bits_again(void **state) {
@@ -226,7 +221,7 @@ static void test_estimated_plans_give_the_same_bits_again(void **state) {
     bl_fft_forget();
     transform_bits(N, again);
     assert_memory_equal(first, again, sizeof first);
-    keep_no_wisdom(NULL);
+    bl_temporary_no_wisdom(NULL);
 }
 
 int main(void) {
@@ -239,5 +234,5 @@ int main(void) {
         cmocka_unit_test(test_estimated_plans_give_the_same_bits_again),
     };
     bl_set_filter();
-    return cmocka_run_group_tests(tests, keep_no_wisdom, NULL);
+    return cmocka_run_group_tests(tests, bl_temporary_no_wisdom, NULL);
 }

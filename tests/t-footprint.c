@@ -10,6 +10,7 @@
 #include "filters/primitive.h"
 #include "sources/source.h"
 #include "tests/texts.h"
+#include "tests/sources.h"
 #include "textures/texture.h"
 
 enum { COUNT = 3 * BL_BATCH + 7 };
@@ -237,16 +238,8 @@ static void check_width(const bl_signal *signal, double width) {
 
 // --- the registries -----------------------------------------------------------------------------
 
-static bl_signal *open_signal(const char *text) {
-    bl_signal *signal = NULL;
-    bl_message message = {""};
-    if (bl_source_open(text, BL_ISA_BEST, &signal, &message) != BL_OK)
-        fail_msg("%s: %s", text, message.text);
-    return signal;
-}
-
 static void check_text(const char *text, double width) {
-    bl_signal *signal = open_signal(text);
+    bl_signal *signal = bl_test_open_source(text);
     check_batch(signal);
     check_one_for_all(signal);
     check_nan(signal);
@@ -256,7 +249,7 @@ static void check_text(const char *text, double width) {
 
 // With every word of the key, at points and at a width.
 static void check_words(const char *name, const char *key) {
-    bl_signal *plain = open_signal(name);
+    bl_signal *plain = bl_test_open_source(name);
     const char *const *words = bl_signal_choices(plain, key);
     assert_non_null(words);
     for (; *words; words++)

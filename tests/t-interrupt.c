@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "tests/program.h"
+#include "tests/temporary.h"
 
 enum { PATIENCE_MS = 20000 };
 
@@ -39,7 +40,7 @@ static pid_t start(const char *const *words, int ignored) {
 
 static pid_t read_number(const char *path) {
     for (int i = 0; i < PATIENCE_MS / 5; i++, wait_a_moment()) {
-        char *text = bl_test_read(path);
+        char *text = bl_temporary_read(path, NULL);
         long number = text && strchr(text, '\n') ? atol(text) : 0;
         free(text);
         if (number > 0)
@@ -53,7 +54,7 @@ static pid_t read_number(const char *path) {
 static int runs(pid_t process) {
     char path[64];
     snprintf(path, sizeof path, "/proc/%ld/stat", (long)process);
-    char *text = bl_test_read(path), *state = text ? strrchr(text, ')') : NULL;
+    char *text = bl_temporary_read(path, NULL), *state = text ? strrchr(text, ')') : NULL;
     int found = state && state[2] != 'Z' && state[2] != 'X';
     free(text);
     return found;
@@ -70,7 +71,7 @@ static int ends(pid_t process) {
 // A program that starts another one, which does not read, so that no closed pipe ends it.
 static void check_children_end(int number) {
     char text[600], path[300];
-    snprintf(path, sizeof path, "%s", bl_test_path("number"));
+    snprintf(path, sizeof path, "%s", bl_temporary_path("number"));
     unlink(path);
     snprintf(text, sizeof text, "cmd,timeout=100:sh -c 'sleep 77 & echo $! >%s; wait'", path);
     pid_t program = start((const char *const[]){"bandlimit", "eval", text, "1", NULL}, 0);
@@ -94,7 +95,7 @@ static void test_an_ignored_signal_stays_ignored(void **state) {
     (void)state;
     char text[600], path[300];
     int status;
-    snprintf(path, sizeof path, "%s", bl_test_path("number"));
+    snprintf(path, sizeof path, "%s", bl_temporary_path("number"));
     unlink(path);
     snprintf(text, sizeof text, "cmd,timeout=100:sh -c 'echo $$ >%s; exec sleep 77'", path);
     pid_t program = start((const char *const[]){"bandlimit", "eval", text, "1", NULL}, SIGHUP);
@@ -114,19 +115,19 @@ static void test_unfinished_files_are_removed(void **state) {
     (void)state;
     char text[600], path[300], out[300];
     int status;
-    snprintf(path, sizeof path, "%s", bl_test_path("number"));
-    snprintf(out, sizeof out, "%s", bl_test_path("report.json"));
+    snprintf(path, sizeof path, "%s", bl_temporary_path("number"));
+    snprintf(out, sizeof out, "%s", bl_temporary_path("report.json"));
     unlink(path);
-    size_t before = bl_test_files();
+    size_t before = bl_temporary_files();
     snprintf(text, sizeof text, "cmd,timeout=100:sh -c 'echo $$ >%s; exec sleep 77'", path);
     pid_t program =
         start((const char *const[]){"bandlimit", "eval", text, "1", "-o", out, NULL}, 0);
     pid_t child = read_number(path);
-    assert_int_equal(bl_test_files(), before + 2); // the number and the hidden file
+    assert_int_equal(bl_temporary_files(), before + 2); // the number and the hidden file
     kill(program, SIGTERM);
     assert_int_equal(waitpid(program, &status, 0), program);
     assert_true(ends(child));
-    assert_int_equal(bl_test_files(), before + 1);
+    assert_int_equal(bl_temporary_files(), before + 1);
 }
 
 int main(void) {
@@ -135,6 +136,5 @@ int main(void) {
         cmocka_unit_test(test_an_ignored_signal_stays_ignored),
         cmocka_unit_test(test_unfinished_files_are_removed),
     };
-    bl_set_filter();
-    return cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_run_tests(tests);
 }

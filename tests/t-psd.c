@@ -12,6 +12,7 @@
 // the measurements, the clamp makes the bands exact; in the other half they are wider, and cover
 // at most everything. So the truth is between 95 % and (95 + 100)/2 = 97.5 %. Rings are the widest:
 // the c of 33 bins is as uncertain as the variance of the outermost (7000 bins: 96.1 %).
+#include "tests/temporary.h"
 #include "tests/test.h"
 
 #include <gsl/gsl_cdf.h>
@@ -20,11 +21,6 @@
 #include "spectra/psd.h"
 #include "spectra/psd_parts.h"
 #include "tests/test_signals.h"
-
-static int keep_no_wisdom(void **state) {
-    (void)state;
-    return setenv("XDG_CACHE_HOME", "/dev/null/none", 1);
-}
 
 static bl_psd measure(const bl_signal *signal, const bl_psd_settings *settings) {
     bl_psd psd;
@@ -673,5 +669,5 @@ int main(void) {
         cmocka_unit_test(test_lattice_places_stand_on_the_lattice),
     };
     bl_set_filter();
-    return cmocka_run_group_tests(tests, keep_no_wisdom, NULL);
+    return cmocka_run_group_tests(tests, bl_temporary_no_wisdom, NULL);
 }

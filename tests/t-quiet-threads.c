@@ -5,6 +5,7 @@
 #include "tests/test.h"
 
 #include "tests/program.h"
+#include "tests/temporary.h"
 
 extern char **environ;
 
@@ -52,10 +53,10 @@ static void test_children_have_the_environment_of_the_user(void **state) {
     unsetenv("GOMP_SPINCOUNT");
     setenv("PWD", "/", 0);
     snprintf(text, sizeof text, "cmd:sh -c 'tr \"\\0\" \"\\n\" < /proc/self/environ > %s'",
-             bl_test_path("environment"));
+             bl_temporary_path("environment"));
     bl_ran ran = bl_run_program("eval", text, "1");
     bl_ran_free(&ran);
-    char *seen = bl_test_read(bl_test_path("environment"));
+    char *seen = bl_temporary_read(bl_temporary_path("environment"), NULL);
     assert_non_null(seen);
     assert_null(strstr(seen, "OMP_WAIT_POLICY"));
     for (char **entry = environ; *entry; entry++)
@@ -70,6 +71,5 @@ int main(void) {
         cmocka_unit_test(test_the_users_own_way_is_kept),
         cmocka_unit_test(test_children_have_the_environment_of_the_user),
     };
-    bl_set_filter();
-    return cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_run_tests(tests);
 }

@@ -13,6 +13,7 @@
 #include "score/trade.h"
 #include "sources/source.h"
 #include "tests/program.h"
+#include "tests/temporary.h"
 #include "textures/texture.h"
 
 // The program's own list has the verbs besides.
@@ -150,7 +151,7 @@ static void test_a_short_list_is_told_and_a_long_one_is_named(void **state) {
 // The script takes its words from `list KIND --names`.
 static void test_the_completion_asks_for_every_kind(void **state) {
     (void)state;
-    char *script = bl_test_read("completion/bandlimit.bash");
+    char *script = bl_temporary_read("completion/bandlimit.bash", NULL);
     assert_non_null(script);
     assert_non_null(strstr(script, "list \"$1\" --names"));
     for (size_t r = 0; registries[r]; r++) {

@@ -13,14 +13,7 @@
 #include "spectra/psd.h"
 #include "tests/broken.h"
 #include "tests/test_signals.h"
-
-static bl_signal *open_noise(const char *text) {
-    bl_signal *signal = NULL;
-    bl_message message = {""};
-    if (bl_noise_open(text, BL_ISA_BEST, &signal, &message) != BL_OK)
-        fail_msg("%s: %s", text, message.text);
-    return signal;
-}
+#include "tests/sources.h"
 
 // The settings of a property, with its share of alpha.
 static bl_score_settings quick(double alpha) {
@@ -58,7 +51,7 @@ static void expect(const bl_score_property *result, const char *what, bl_verdict
 
 static void test_every_property_has_a_name_and_fills_its_result(void **state) {
     (void)state;
-    bl_signal *signal = open_noise("gnoise");
+    bl_signal *signal = bl_test_open_source("gnoise");
     bl_score_subject subject = {.signal = signal};
     bl_score_settings settings = quick(1e-6);
     bl_score score;
@@ -100,7 +93,7 @@ static void test_the_status_counts_claims_and_with_strict_the_ideal(void **state
 static void test_scores_do_not_depend_on_the_threads(void **state) {
     (void)state;
     static const char *const names[] = {"repeatable", "range", "band"};
-    bl_signal *signal = open_noise("gnoise");
+    bl_signal *signal = bl_test_open_source("gnoise");
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         bl_score_settings settings = quick(1e-9);
         bl_score_property one =
@@ -124,7 +117,7 @@ static void test_noises_keep_their_claims(void **state) {
     (void)state;
     static const char *const names[] = {"repeatable", "range", "band"};
     for (size_t n = 0; n < bl_noise_count(); n++) {
-        bl_signal *signal = open_noise(bl_noise_at(n, BL_ISA_BEST)->name);
+        bl_signal *signal = bl_test_open_source(bl_noise_at(n, BL_ISA_BEST)->name);
         for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
             bl_score_property result = measure(names[i], signal);
             if (result.verdict == BL_VERDICT_FAIL && result.against == BL_AGAINST_CLAIM)
@@ -136,7 +129,7 @@ static void test_noises_keep_their_claims(void **state) {
 
 static void test_climbing_finds_more_than_samples_do(void **state) {
     (void)state;
-    bl_signal *signal = open_noise("gnoise");
+    bl_signal *signal = bl_test_open_source("gnoise");
     bl_score_property result = measure("range", signal);
     double high = bl_score_find(&result, "maximum")->estimate.value, at[BL_AXES] = {0};
     assert_true(high > bl_score_find(&result, "maximum_of_samples")->estimate.value);
@@ -155,7 +148,7 @@ static void test_climbing_finds_more_than_samples_do(void **state) {
 
 static void test_cost_is_told_and_not_judged(void **state) {
     (void)state;
-    bl_signal *signal = open_noise("gnoise");
+    bl_signal *signal = bl_test_open_source("gnoise");
     bl_score_property result = measure("cost", signal);
     assert_int_equal(result.verdict, BL_VERDICT_NOT_RUN);
     assert_true(bl_score_find(&result, "row_ns")->estimate.value > 0);
@@ -235,7 +228,7 @@ static void test_what_cannot_be_repeated_is_caught(void **state) {
                   {THREAD, BL_VERDICT_FAIL, "several threads"},
                   {ROWS, BL_VERDICT_FAIL, "a row and the same places as points"},
                   {REFERENCE, BL_VERDICT_FAIL, "double reference"}};
-    bl_signal *noise = open_noise("gnoise");
+    bl_signal *noise = bl_test_open_source("gnoise");
     size_t count = sizeof faults / sizeof *faults;
     for (size_t k = 0; k < 2 * count; k++) {
         size_t i = k % count;
@@ -253,8 +246,8 @@ static void test_what_cannot_be_repeated_is_caught(void **state) {
 
 static void test_another_instruction_set_with_other_bits_is_caught(void **state) {
     (void)state;
-    bl_signal *noise = open_noise("gnoise"), *same = open_noise("gnoise"),
-              *other = open_noise("gnoise:seed=1");
+    bl_signal *noise = bl_test_open_source("gnoise"), *same = bl_test_open_source("gnoise"),
+              *other = bl_test_open_source("gnoise:seed=1");
     bl_score_settings settings = quick(1e-9);
     bl_score_subject subject = {
         .signal = noise, .variants = {same}, .variant_names = {"twin"}, .variant_count = 1};
@@ -277,7 +270,7 @@ static bl_verdict claim_of(const bl_score_property *result, const char *name) {
 
 static void test_a_wrong_range_mean_and_variance_are_caught(void **state) {
     (void)state;
-    bl_signal *noise = open_noise("gnoise"), *signal = make_faulty(noise, SOUND, 0);
+    bl_signal *noise = bl_test_open_source("gnoise"), *signal = make_faulty(noise, SOUND, 0);
     bl_score_property result = measure("range", signal);
     assert_int_equal(result.verdict, BL_VERDICT_PASS);
     // Between what samples show and what climbing finds.
@@ -325,7 +318,7 @@ static void test_a_wrong_range_mean_and_variance_are_caught(void **state) {
 // 1e-9 is too little to be told by so many digits of 1.
 static void test_the_level_of_a_refuted_mean_is_told_by_what_it_misses(void **state) {
     (void)state;
-    bl_signal *noise = open_noise("gnoise");
+    bl_signal *noise = bl_test_open_source("gnoise");
     noise->facts.mean = 0.1;
     bl_score_property result = measure("range", noise);
     expect(&result, "mean", BL_VERDICT_FAIL, "at the level 1 - 5e-10");
@@ -336,7 +329,7 @@ static void test_the_level_of_a_refuted_mean_is_told_by_what_it_misses(void **st
 static void test_a_share_of_alpha_below_the_digits_of_1_still_fails(void **state) {
     (void)state;
     const bl_score_settings tiny = quick(1e-20);
-    bl_signal *noise = open_noise("gnoise"), *far = bl_broken_signal(BL_BROKEN_FAR_GAIN),
+    bl_signal *noise = bl_test_open_source("gnoise"), *far = bl_broken_signal(BL_BROKEN_FAR_GAIN),
               *image = bl_test_white_image(1, 96, 64, 0.125);
     const bl_score_subject of_noise = {.signal = noise}, of_far = {.signal = far},
                            of_image = {.signal = image};
@@ -435,7 +428,7 @@ static void test_a_claimed_leak_is_judged_by_its_limits(void **state) {
     static const double alphas[] = {1e-3, 1e-9, 1e-60, 1e-300};
     static const double offsets[] = {-3, -1.75, -1.5, -0.5, 0, 4};
     size_t seen[4] = {0}, close = 0;
-    bl_signal *noise = open_noise("gnoise");
+    bl_signal *noise = bl_test_open_source("gnoise");
     const double stated = noise->facts.leak_db;
     for (size_t a = 0; a < sizeof alphas / sizeof *alphas; a++)
         for (size_t o = 0; o < sizeof offsets / sizeof *offsets; o++) {
@@ -490,7 +483,7 @@ static void test_a_band_claimed_too_strongly_is_caught(void **state) {
     (void)state;
     static const char *const noises[] = {"vnoise", "gnoise", "hermite"};
     for (size_t i = 0; i < sizeof noises / sizeof *noises; i++) {
-        bl_signal *noise = open_noise(noises[i]);
+        bl_signal *noise = bl_test_open_source(noises[i]);
         bl_score_property result = measure("band", noise);
         expect(&result, noises[i], BL_VERDICT_PASS, "the claim");
         noise->facts.leak_db -= 3;
@@ -537,7 +530,7 @@ static void test_a_band_without_a_number_for_its_leak_is_judged(void **state) {
         bl_signal_free(cosine);
     }
     // The kernel that reads fourier's tile leaves images of its band, some 51 dB down.
-    bl_signal *fourier = open_noise("fourier");
+    bl_signal *fourier = bl_test_open_source("fourier");
     bl_score_property result = measure_band(fourier, 0, 1, -INFINITY);
     expect(&result, "fourier", BL_VERDICT_FAIL, "no leak at all");
     bl_signal_free(fourier);

@@ -2,21 +2,17 @@
 //
 // `show` of a filter: its numbers and samples are those of the library, and its picture is written
 // whole or not at all.
+#include "tests/json.h"
 #include "tests/program.h"
+#include "tests/temporary.h"
 #include "tests/test.h"
 
-#include <jansson.h>
 #include <unistd.h>
 
 #include "filters/response.h"
 
-static double number_of(const json_t *object, const char *key) {
-    const json_t *value = json_object_get(object, key);
-    return json_is_number(value) ? json_number_value(value) : NAN;
-}
-
 static void expect_number(const json_t *object, const char *key, double expected) {
-    double got = number_of(object, key);
+    double got = bl_number_of(object, key);
     if (isfinite(expected))
         assert_near(got, expected, 1e-12 * fabs(expected));
     else
@@ -75,7 +71,7 @@ static void test_text_has_the_numbers(void **state) {
 }
 
 static void expect_picture(const char *name, const char *mark) {
-    const char *path = bl_test_path(name);
+    const char *path = bl_temporary_path(name);
     bl_ran ran = bl_run_program("show", "mitchell", "--plot", path);
     if (ran.status != 0)
         fail_msg("%s", ran.err);
@@ -93,23 +89,23 @@ static void test_the_picture_is_written(void **state) {
     (void)state;
     expect_picture("mitchell.svg", "<svg");
     expect_picture("mitchell.png", "PNG");
-    assert_int_equal(bl_test_files(), 2);
+    assert_int_equal(bl_temporary_files(), 2);
 }
 
 static void test_bad_plots_are_refused(void **state) {
     (void)state;
-    size_t before = bl_test_files();
+    size_t before = bl_temporary_files();
     const char *const bad[][2] = {{"gnoise", "x.svg"}, {"box", "x.tif"}, {"bix", "x.svg"}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        bl_ran ran = bl_run_program("show", bad[i][0], "--plot", bl_test_path(bad[i][1]));
+        bl_ran ran = bl_run_program("show", bad[i][0], "--plot", bl_temporary_path(bad[i][1]));
         assert_int_equal(ran.status, 64);
         assert_true(*ran.err);
         bl_ran_free(&ran);
     }
-    bl_ran ran = bl_run_program("show", "box", "--plot", bl_test_path("none/x.svg"));
+    bl_ran ran = bl_run_program("show", "box", "--plot", bl_temporary_path("none/x.svg"));
     assert_int_equal(ran.status, 4);
     bl_ran_free(&ran);
-    assert_int_equal(bl_test_files(), before);
+    assert_int_equal(bl_temporary_files(), before);
 }
 
 int main(void) {
@@ -119,6 +115,5 @@ int main(void) {
         cmocka_unit_test(test_the_picture_is_written),
         cmocka_unit_test(test_bad_plots_are_refused),
     };
-    bl_set_filter();
-    return cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_run_tests(tests);
 }

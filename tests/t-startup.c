@@ -41,7 +41,7 @@ static void test_only_images_load_the_image_library(void **state) {
     assert_false(MAPS("show", "brick"));
     assert_false(MAPS("eval", "gnoise", "1", "2", "3"));
     assert_false(MAPS("spectrum", "gnoise", "--quick"));
-    assert_true(MAPS("render", "gnoise", "--quick", "-o", bl_test_path("loaded.png")));
+    assert_true(MAPS("render", "gnoise", "--quick", "-o", bl_temporary_path("loaded.png")));
     assert_true(MAPS("eval", "image", "0.1", "0.2"));
 }
 
@@ -61,18 +61,18 @@ static void test_the_program_needs_few_libraries(void **state) {
 static void check_refusal(const char *path, const char *why, const char *remedy) {
     bl_ran ran = run_traced("BANDLIMIT_IMAGES", path,
                             (const char *const[]){"render", "gnoise", "--quick", "-o",
-                                                  bl_test_path("never.png"), NULL});
+                                                  bl_temporary_path("never.png"), NULL});
     assert_int_equal(ran.status, BL_DEVICE);
     if (!strstr(ran.err, path) || !strstr(ran.err, why) || !strstr(ran.err, remedy))
         fail_msg("%s", ran.err);
-    assert_int_not_equal(access(bl_test_path("never.png"), F_OK), 0);
+    assert_int_not_equal(access(bl_temporary_path("never.png"), F_OK), 0);
     bl_ran_free(&ran);
 }
 
 static void test_a_missing_image_library_is_told(void **state) {
     (void)state;
-    const char *text = bl_test_path("text.so");
-    bl_test_write(text, "no library", 10);
+    const char *text = bl_temporary_path("text.so");
+    bl_temporary_write(text, "no library", 10);
     check_refusal("/nowhere/images.so", "No such file", "install OpenImageIO");
     check_refusal(text, "does not load", "install OpenImageIO");
     // A library, but none of ours.
@@ -130,6 +130,5 @@ int main(void) {
         cmocka_unit_test(test_a_missing_image_library_is_told),
         cmocka_unit_test(test_a_program_on_its_own_says_where_it_looked),
     };
-    bl_set_filter();
-    return cmocka_run_group_tests(tests, NULL, bl_remove_folder);
+    return bl_run_tests(tests);
 }

@@ -14,19 +14,12 @@
 #include "core/setting.h"
 #include "textures/colour_spline.h"
 #include "textures/texture.h"
-
-static bl_signal *open_signal(const char *text) {
-    bl_signal *signal = NULL;
-    bl_message message = {""};
-    if (bl_source_open(text, BL_ISA_BEST, &signal, &message) != BL_OK)
-        fail_msg("%s: %s", text, message.text);
-    return signal;
-}
+#include "tests/sources.h"
 
 static bl_signal *open_with(const char *name, const char *key, const char *word) {
     char text[160];
     snprintf(text, sizeof text, "%s:%s=%s", name, key, word);
-    return open_signal(text);
+    return bl_test_open_source(text);
 }
 
 static double seen(const bl_signal *signal, double s, double t, double width_s, double width_t) {
@@ -56,7 +49,7 @@ typedef void check_one(const bl_signal *raw, const bl_signal *filtered, const ch
 static void walk(check_one *check) {
     for (size_t i = 0; i < bl_texture_count(); i++) {
         const char *name = bl_texture_at(i)->name;
-        bl_signal *raw = open_signal(name);
+        bl_signal *raw = bl_test_open_source(name);
         const char *const *words = bl_signal_choices(raw, "filter");
         assert_non_null(words);
         assert_string_equal(words[0], "none");
@@ -266,7 +259,7 @@ static void test_infinite_width_is_the_mean(void **state) {
                  {"sinesum", 64, 0},         {"image:amount=0", 16, 0}};
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        bl_signal *signal = open_signal(cases[i].name);
+        bl_signal *signal = bl_test_open_source(cases[i].name);
         double error, mean = sampled_mean(signal, cases[i].span, 400, &error);
         double stated = seen(signal, 0.2, 0.3, INFINITY, INFINITY);
         print_message("  %s: %.6f at infinite width, %.6f +- %.6f sampled\n", cases[i].name, stated,
@@ -294,7 +287,7 @@ static void test_all_filters_have_one_mean(void **state) {
 // On a sphere, heights are uniformly distributed: points of a spiral are as well.
 static void test_the_mean_of_the_sky_is_that_of_a_sphere(void **state) {
     (void)state;
-    bl_signal *signal = open_signal("metallic");
+    bl_signal *signal = bl_test_open_source("metallic");
     enum { PLACES = 20000 };
     double sum = 0;
     for (int i = 0; i < PLACES; i++) {
@@ -339,7 +332,8 @@ static void test_exact_filters_are_averages_over_the_box(void **state) {
     for (size_t c = 0; c < sizeof exact_cases / sizeof *exact_cases; c++) {
         const struct exact_case *it = &exact_cases[c];
         bl_random random = bl_random_seed(7, c);
-        bl_signal *raw = open_signal(it->name), *filtered = open_with(it->name, "filter", it->word);
+        bl_signal *raw = bl_test_open_source(it->name),
+                  *filtered = open_with(it->name, "filter", it->word);
         double contrast = raw->facts.upper - raw->facts.lower;
         double tolerance = contrast * (it->edges / PLACES + 0.5 * pow(M_PI * 40 / PLACES, 2) / 6);
         for (int b = 0; b < BOXES; b++) {
@@ -407,7 +401,7 @@ static double plate_integral(plate p) {
 
 static void test_the_plate_under_a_gaussian(void **state) {
     (void)state;
-    bl_signal *signal = open_signal("zoneplate:filter=gaussian");
+    bl_signal *signal = bl_test_open_source("zoneplate:filter=gaussian");
     for (int i = 0; i < 20; i++) {
         double s = 0.07 * i, t = 0.3 - 0.02 * i, width = 0.004 * (i + 1);
         plate x = {s, width, 0}, y = {t, width, 0}, x1 = x, y1 = y;
@@ -424,7 +418,7 @@ static void test_the_plate_under_a_gaussian(void **state) {
 static void test_the_plate_over_a_box(void **state) {
     (void)state;
     enum { STEPS = 20000 };
-    bl_signal *signal = open_signal("zoneplate:filter=exact");
+    bl_signal *signal = bl_test_open_source("zoneplate:filter=exact");
     for (int i = 0; i < 24; i++) {
         double place[2] = {0.04 * i - 0.3, 0.25 - 0.02 * i}, width = 0.004 + 0.0015 * i * i / 4;
         double cosine[2] = {0}, sine[2] = {0};
@@ -468,9 +462,9 @@ static void test_the_mean_of_a_spline_is_its_integral(void **state) {
 // half bricks. The text takes the row of the middle for all of them.
 static void test_the_integral_across_rows_is_off_by_half_a_wall(void **state) {
     (void)state;
-    bl_signal *text = open_signal("brick:filter=integral"),
-              *exact = open_signal("brick:filter=exact");
-    bl_signal *raw = open_signal("brick");
+    bl_signal *text = bl_test_open_source("brick:filter=integral"),
+              *exact = bl_test_open_source("brick:filter=exact");
+    bl_signal *raw = bl_test_open_source("brick");
     const double at[BL_AXES] = {0, 0.045}, width[BL_AXES] = {0.004, 4 * 0.09};
     double mortar = 0.5, brick = bl_colour_component((const double[]){0.5, 0.15, 0.14}, 0);
     double height = 0.08 / 0.09;
@@ -489,8 +483,8 @@ static void test_the_integral_across_rows_is_off_by_half_a_wall(void **state) {
 // Half a brick aside and within one row, the text's forms are right, and wrong beyond.
 static void test_boxstep_misses_the_brick_next_door(void **state) {
     (void)state;
-    bl_signal *text = open_signal("brick:filter=boxstep"),
-              *exact = open_signal("brick:filter=exact");
+    bl_signal *text = bl_test_open_source("brick:filter=boxstep"),
+              *exact = bl_test_open_source("brick:filter=exact");
     double within = 0, beyond = 0;
     for (int i = 0; i < 1000; i++) {
         double s = 0.26 * i / 1000, t = 0.045;
@@ -528,7 +522,7 @@ static double star_area(double angle_of) {
 
 // The share of the unit square that is star.
 static double sampled_area(const char *text, int n) {
-    bl_signal *signal = open_signal(text);
+    bl_signal *signal = bl_test_open_source(text);
     const double middle[BL_AXES] = {0.5, 0.5}, unit[BL_AXES] = {1, 1};
     double field = seen(signal, 10, 10, 0, 0), star = seen(signal, 0.5, 0.5, 0, 0);
     double mean = brute_force(signal, middle, unit, n);
@@ -551,7 +545,7 @@ static void test_the_printed_star_is_too_fat(void **state) {
 
 static void test_the_boxes_of_a_star_add_up_to_its_area(void **state) {
     (void)state;
-    bl_signal *signal = open_signal("star:filter=exact,component=red");
+    bl_signal *signal = bl_test_open_source("star:filter=exact,component=red");
     double sum = 0, field = seen(signal, 9, 9, 0.01, 0.01);
     for (int j = 0; j < 37; j++)
         for (int i = 0; i < 41; i++)
@@ -597,10 +591,10 @@ static int in_wallpaper(const bl_signal *noise, double s, double t) {
 
 static void test_the_printed_wallpaper_cuts_stars(void **state) {
     (void)state;
-    bl_signal *right = open_signal("wallpaper:component=red");
-    bl_signal *printed = open_signal("wallpaper:component=red,form=printed");
-    bl_signal *one = open_signal("wallpaper:component=red,cells=one");
-    bl_signal *noise = open_signal("gnoise:dims=2");
+    bl_signal *right = bl_test_open_source("wallpaper:component=red");
+    bl_signal *printed = bl_test_open_source("wallpaper:component=red,form=printed");
+    bl_signal *one = bl_test_open_source("wallpaper:component=red,cells=one");
+    bl_signal *noise = bl_test_open_source("gnoise:dims=2");
     enum { N = 400 };
     int wrong = 0, cut = 0, stars = 0, alone = 0;
     for (int j = 0; j < N; j++)
@@ -627,9 +621,9 @@ static void test_the_printed_wallpaper_cuts_stars(void **state) {
 // keeps the mean. Compared over a box of many cells.
 static void test_marble_keeps_its_mean_by_its_map(void **state) {
     (void)state;
-    bl_signal *raw = open_signal("marble:component=blue");
-    bl_signal *map = open_signal("marble:component=blue,filter=map");
-    bl_signal *fade = open_signal("marble:component=blue,filter=fade");
+    bl_signal *raw = bl_test_open_source("marble:component=blue");
+    bl_signal *map = bl_test_open_source("marble:component=blue,filter=map");
+    bl_signal *fade = bl_test_open_source("marble:component=blue,filter=fade");
     double error, mean = sampled_mean(raw, 200, 300, &error);
     double by_map = seen(map, 0.3, 0.4, 50, 50), by_fade = seen(fade, 0.3, 0.4, 50, 50);
     print_message("  blue of marble: mean %.5f +- %.5f, far away by map %.5f, by fade %.5f\n", mean,
@@ -639,7 +633,7 @@ static void test_marble_keeps_its_mean_by_its_map(void **state) {
     assert_true(fabs(by_fade - mean) > 3 * fabs(by_map - mean));
     // And on the way there, where the first octave is half gone: what is lost is averaged over, so
     // that the distribution of all of it stays.
-    bl_signal *half = open_signal("marble:component=blue,filter=map,width=0.15");
+    bl_signal *half = bl_test_open_source("marble:component=blue,filter=map,width=0.15");
     double half_error, half_mean = sampled_mean(half, 200, 200, &half_error);
     print_message("  half way %.5f +- %.5f\n", half_mean, half_error);
     assert_near(half_mean, mean, 5 * (error + half_error) + 2e-3);
@@ -653,8 +647,8 @@ static void test_marble_keeps_its_mean_by_its_map(void **state) {
 // is across the edge: it is 0 or 1 where the box lies on one side, and nowhere else.
 static void test_the_ramp_of_a_star_is_as_wide_as_the_sample(void **state) {
     (void)state;
-    bl_signal *ramp = open_signal("star:filter=boxstep,component=red");
-    bl_signal *exact = open_signal("star:filter=exact,component=red");
+    bl_signal *ramp = bl_test_open_source("star:filter=boxstep,component=red");
+    bl_signal *exact = bl_test_open_source("star:filter=exact,component=red");
     bl_random random = bl_random_seed(9, 0);
     double field = seen(exact, 9, 9, 0.01, 0.01);
     int between = 0, outside = 0;
@@ -693,7 +687,7 @@ static void test_clouds_fade_as_their_noise_does(void **state) {
             char text[128];
             double width = 0.5 * pow(1.5, i);
             snprintf(text, sizeof text, "gardner:width=%.17g,clamp=%s", width, clamps[c][1]);
-            bl_signal *noise = open_signal(text);
+            bl_signal *noise = bl_test_open_source(text);
             bl_signal *sky = open_with("cloudplane", "component=red,filter", clamps[c][0]);
             for (int k = 0; k < 20; k++) {
                 double x = 7.3 * k, y = 90 - 11.7 * k, value = noise_at(noise, x, y);
@@ -709,8 +703,8 @@ static void test_clouds_fade_as_their_noise_does(void **state) {
 // mortar have the same red.
 static void test_averaged_slopes_are_the_average_of_faint_bumps(void **state) {
     (void)state;
-    bl_signal *raw = open_signal("bumpbrick:depth=1e-5,component=red");
-    bl_signal *slope = open_signal("bumpbrick:depth=1e-5,component=red,filter=slope");
+    bl_signal *raw = bl_test_open_source("bumpbrick:depth=1e-5,component=red");
+    bl_signal *slope = bl_test_open_source("bumpbrick:depth=1e-5,component=red,filter=slope");
     bl_random random = bl_random_seed(10, 0);
     double most = 0;
     for (int i = 0; i < 30; i++) {
@@ -730,7 +724,7 @@ static void test_averaged_slopes_are_the_average_of_faint_bumps(void **state) {
 // lighter than the flat wall, or lose less, than those that face away.
 static void test_grooves_are_lit_from_the_upper_left(void **state) {
     (void)state;
-    bl_signal *bump = open_signal("bumpbrick:component=red");
+    bl_signal *bump = bl_test_open_source("bumpbrick:component=red");
     double left = seen(bump, 0.0025, 0.045, 0, 0), right = seen(bump, 0.2575, 0.045, 0, 0);
     double lower = seen(bump, 0.13, 0.0025, 0, 0), upper = seen(bump, 0.13, 0.0875, 0, 0);
     assert_true(left > right + 0.05 && upper > lower + 0.05);
@@ -739,8 +733,8 @@ static void test_grooves_are_lit_from_the_upper_left(void **state) {
 
 static void test_rings_are_averaged_along_the_radius(void **state) {
     (void)state;
-    bl_signal *raw = open_signal("wood:wobble=0,fibre=0");
-    bl_signal *integral = open_signal("wood:wobble=0,fibre=0,filter=integral");
+    bl_signal *raw = bl_test_open_source("wood:wobble=0,fibre=0");
+    bl_signal *integral = bl_test_open_source("wood:wobble=0,fibre=0,filter=integral");
     for (int i = 0; i < 40; i++) {
         const double at[BL_AXES] = {3 + 0.031 * i}, width[BL_AXES] = {0.008 * (i % 9 + 1)};
         // A midpoint rule of a C1 function: its second derivative is below 1e4, the error below
@@ -754,7 +748,8 @@ static void test_rings_are_averaged_along_the_radius(void **state) {
 
 static void test_the_sky_is_averaged_over_altitudes(void **state) {
     (void)state;
-    bl_signal *raw = open_signal("metallic"), *integral = open_signal("metallic:filter=integral");
+    bl_signal *raw = bl_test_open_source("metallic"),
+              *integral = bl_test_open_source("metallic:filter=integral");
     for (int i = 0; i < 20; i++) {
         enum { STEPS = 2000 };
         double z = 0.25 + 0.02 * i, width = 0.02 * (i + 1), sum = 0;
@@ -802,7 +797,7 @@ static void check_ramp(const char *path, double tolerance) {
     static const char *const words[] = {"none", "mip", "anisotropic"};
     for (int w = 0; w < 3; w++) {
         snprintf(text, sizeof text, "image:path=%s,amount=0,filter=%s", path, words[w]);
-        bl_signal *signal = open_signal(text);
+        bl_signal *signal = bl_test_open_source(text);
         for (int i = 0; i < 20; i++) {
             double s = 0.3 + 0.02 * i, t = 0.25 + 0.017 * i, width = w ? 0.02 * (i % 3) : 0, rgb[3];
             bl_signal_colour(signal, (const double[BL_AXES]){s + 3, t - 2},
@@ -859,7 +854,7 @@ static void test_the_tables_of_a_picture_give_the_mean_of_any_box(void **state) 
     if (bl_image_write(path, &image, &message) != BL_OK)
         fail_msg("%s", message.text);
     snprintf(text, sizeof text, "image:path=%s,amount=0,filter=sat", path);
-    bl_signal *signal = open_signal(text);
+    bl_signal *signal = bl_test_open_source(text);
     for (int b = 0; b < 400; b++) {
         double at[BL_AXES] = {0}, width[BL_AXES] = {0}, rgb[3];
         for (int a = 0; a < 2; a++) {
@@ -893,8 +888,9 @@ static void test_a_picture_that_is_not_there(void **state) {
 // A perturbation that is 0 at the lattice moves nothing there.
 static void test_the_perturbation_is_that_of_the_noise(void **state) {
     (void)state;
-    bl_signal *plain = open_signal("image:amount=0"), *noise = open_signal("gnoise");
-    bl_signal *moved = open_signal("image:amount=0.1,frequency=1");
+    bl_signal *plain = bl_test_open_source("image:amount=0"),
+              *noise = bl_test_open_source("gnoise");
+    bl_signal *moved = bl_test_open_source("image:amount=0.1,frequency=1");
     for (int i = 0; i < 50; i++) {
         double p[BL_AXES] = {0.137 * i, 0.291 * i, 0.05 * i};
         double q[BL_AXES] = {p[0] + 1.5, p[1] + 6.7, p[2] + 3.4};

@@ -5,16 +5,9 @@
 
 #include "aliasing/view.h"
 #include "core/random.h"
+#include "tests/sources.h"
 
 enum { SIZE = 64 };
-
-static bl_view open_view(const char *text) {
-    bl_view view;
-    bl_message message;
-    if (bl_view_open(text, SIZE, SIZE, &view, &message) != BL_OK)
-        fail_msg("%s: %s", text, message.text);
-    return view;
-}
 
 // Places around (x, y) that are all seen, and where no angle jumps by a whole turn.
 static int look_around(const bl_view *view, double x, double y, double h, bl_sight out[3][3]) {
@@ -68,7 +61,7 @@ static void check_place(const bl_view *view, double x, double y, size_t *count) 
 
 static void check_derivatives(const char *text) {
     for (int zoomed = 0; zoomed < 2; zoomed++) {
-        bl_view view = open_view(text);
+        bl_view view = bl_test_open_view(text, SIZE);
         bl_random random = bl_random_seed(7, bl_test_stream(text));
         size_t count = 0;
         if (zoomed) {
@@ -100,8 +93,8 @@ static void test_derivatives_of_views_are_those_of_their_coordinates(void **stat
 // The places of a solid lie on the surface, and the nearer of all on the ray.
 static void test_solids_are_seen_on_their_surface(void **state) {
     (void)state;
-    bl_view sphere = open_view("sphere:coordinates=solid,scale=1");
-    bl_view torus = open_view("torus:coordinates=solid,scale=1");
+    bl_view sphere = bl_test_open_view("sphere:coordinates=solid,scale=1", SIZE);
+    bl_view torus = bl_test_open_view("torus:coordinates=solid,scale=1", SIZE);
     bl_random random = bl_random_seed(9, 0);
     size_t seen[2] = {0, 0};
     for (int i = 0; i < 2000; i++) {
@@ -128,7 +121,8 @@ static void test_solids_are_seen_on_their_surface(void **state) {
 static void test_the_torus_has_a_wall_and_a_hole(void **state) {
     (void)state;
     bl_sight s;
-    bl_view side = open_view("torus:tilt=0,distance=4"), above = open_view("torus:tilt=90");
+    bl_view side = bl_test_open_view("torus:tilt=0,distance=4", SIZE),
+            above = bl_test_open_view("torus:tilt=90", SIZE);
     assert_true(bl_view_see(&side, 0.5 * SIZE, 0.5 * SIZE, &s));
     assert_near(s.distance, 4 - 1.4, 1e-12);
     assert_false(bl_view_see(&above, 0.5 * SIZE, 0.5 * SIZE, &s));
@@ -138,7 +132,7 @@ static void test_the_torus_has_a_wall_and_a_hole(void **state) {
 
 static void test_the_horizon_is_finite_and_the_sky_is_not_seen(void **state) {
     (void)state;
-    bl_view view = open_view("plane:pitch=0,height=1e9");
+    bl_view view = bl_test_open_view("plane:pitch=0,height=1e9", SIZE);
     bl_sight s;
     memset(&s, 1, sizeof s);
     bl_sight before = s;
@@ -164,7 +158,7 @@ static void test_the_horizon_is_finite_and_the_sky_is_not_seen(void **state) {
 // A pixel of a plane seen from straight above is 2 height tan(fov/2) / width wide.
 static void test_a_plane_from_above_is_flat(void **state) {
     (void)state;
-    bl_view view = open_view("plane:pitch=90,height=3,fov=90");
+    bl_view view = bl_test_open_view("plane:pitch=90,height=3,fov=90", SIZE);
     bl_sight s;
     assert_true(bl_view_see(&view, 5, 9, &s));
     assert_near(s.across[0], 6.0 / SIZE, 1e-12);

@@ -122,3 +122,8 @@ int bl_temporary_run(const char *folder, const char *const arguments[]) {
         return -1;
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
+
+int bl_temporary_no_wisdom(void **state) {
+    (void)state;
+    return setenv("XDG_CACHE_HOME", "/dev/null/none", 1);
+}

@@ -25,5 +25,7 @@ void bl_temporary_limit_files(size_t most_bytes);
 size_t bl_temporary_files(void);
 // Runs a program with its output thrown away; its exit status, or -1. `folder` may be NULL.
 int bl_temporary_run(const char *folder, const char *const arguments[]);
+// A setup of tests: where no wisdom is kept, plans are estimated, and nobody's home gets a file.
+int bl_temporary_no_wisdom(void **state);
 
 #endif
