@@ -174,6 +174,11 @@ void bl_signal_values(const bl_signal *signal, const double *const at[BL_AXES], 
     }
 }
 
+void bl_signal_values_gathered(const bl_signal *signal, const bl_gathered *places, double *out) {
+    const double *const at[BL_AXES] = {places->at[0], places->at[1], places->at[2], places->at[3]};
+    bl_signal_values(signal, at, places->count, out);
+}
+
 void bl_signal_filtered_values(const bl_signal *signal, const bl_samples *samples, double *out) {
     if (signal->functions->filtered)
         signal->functions->filtered(signal->parameters, samples, out);

@@ -56,35 +56,63 @@ static double kept_of(unsigned term, bl_octave_clamp clamp, double width) {
     return bl_octave_kept(fmax(across, up), clamp, width);
 }
 
-static double sum_of_terms(const cloud_plane_parameters *p, const double at[BL_AXES],
-                           double width) {
-    bl_octave_clamp clamp = (bl_octave_clamp)p->seeing.filter;
-    double sum = 0, mean_before = 0, here = kept_of(0, clamp, width);
-    for (unsigned i = 0; i < p->terms; i++) {
-        double next = i + 1 < p->terms ? kept_of(i + 1, clamp, width) : 0;
-        double mean = p->sum[i]->facts.mean;
-        if (here != next)
-            sum += (here - next) * bl_signal_value(p->sum[i], at);
-        sum += (1 - here) * (mean - mean_before);
-        mean_before = mean;
-        here = next;
+// The sums of terms at many places, for samples of these widths. A place needs the sum of the first
+// terms only where the last of them and the next have different weights.
+static void sum_terms(const cloud_plane_parameters *p, const bl_gathered *places,
+                      const double *width, double *sum) {
+    const bl_octave_clamp clamp = (bl_octave_clamp)p->seeing.filter;
+    double here[BL_BATCH], next[BL_BATCH], noise[BL_BATCH], mean_before = 0;
+    for (size_t k = 0; k < places->count; k++) {
+        sum[k] = 0;
+        here[k] = kept_of(0, clamp, width[k]);
     }
-    return sum;
+    for (unsigned i = 0; i < p->terms; i++) {
+        bl_gathered asked = {.count = 0};
+        for (size_t k = 0; k < places->count; k++) {
+            next[k] = i + 1 < p->terms ? kept_of(i + 1, clamp, width[k]) : 0;
+            if (here[k] != next[k])
+                bl_gather(&asked, k, (const double[BL_AXES]){places->at[0][k], places->at[1][k]});
+        }
+        bl_signal_values_gathered(p->sum[i], &asked, noise);
+        for (size_t n = 0; n < asked.count; n++)
+            sum[asked.of[n]] += (here[asked.of[n]] - next[asked.of[n]]) * noise[n];
+        double mean = p->sum[i]->facts.mean;
+        for (size_t k = 0; k < places->count; k++) {
+            sum[k] += (1 - here[k]) * (mean - mean_before);
+            here[k] = next[k];
+        }
+        mean_before = mean;
+    }
 }
 
-static bl_colour colour_at(const cloud_plane_parameters *p, const double at[BL_AXES],
-                           double width) {
-    double share = p->contrast * sum_of_terms(p, at, width);
+static bl_colour colour_of(const cloud_plane_parameters *p, double sum) {
+    double share = p->contrast * sum;
     return bl_colour_mix(sky, cloud, share <= 0 ? 0 : share >= 1 ? 1 : share);
 }
 
-static bl_colour see(const cloud_plane_parameters *p, const double at[BL_AXES],
-                     const bl_footprint *footprint) {
-    double widest = bl_footprint_widest(footprint, 2);
-    return bl_footprint_is_whole(footprint, 2) ? p->mean : colour_at(p, at, widest);
+// Up to BL_BATCH samples.
+static void see_batch(const cloud_plane_parameters *p, const bl_samples *samples, double *rgb) {
+    bl_gathered inside = {.count = 0};
+    double width[BL_BATCH], sum[BL_BATCH];
+    for (size_t i = 0; i < samples->count; i++) {
+        const bl_footprint *footprint = bl_samples_footprint(samples, i);
+        double at[BL_AXES];
+        bl_samples_place(samples, i, at);
+        if (!bl_texture_is_seen(at, footprint, 2)) {
+            bl_colour_put(bl_colour_missing, rgb + 3 * i);
+        } else if (bl_footprint_is_whole(footprint, 2)) {
+            bl_colour_put(p->mean, rgb + 3 * i);
+        } else {
+            width[inside.count] = bl_footprint_widest(footprint, 2);
+            bl_gather(&inside, i, at);
+        }
+    }
+    sum_terms(p, &inside, width, sum);
+    for (size_t k = 0; k < inside.count; k++)
+        bl_colour_put(colour_of(p, sum[k]), rgb + 3 * inside.of[k]);
 }
 
-BL_TEXTURE_ABILITIES(cloud_plane_parameters, 2)
+BL_TEXTURE_BATCH_ABILITIES(cloud_plane_parameters)
 
 static void release(void *block) {
     cloud_plane_parameters *p = block;
@@ -96,15 +124,23 @@ static void release(void *block) {
 
 // Places over 1000 x 1000 units, which have 23 waves of the coarsest term across.
 static bl_colour mean_of(const cloud_plane_parameters *p) {
-    enum { PLACES = 64 };
+    enum { PLACES = 64 }; // not more than BL_BATCH
+    static const double points[PLACES];
     bl_colour mean = {{0, 0, 0}};
-    for (int j = 0; j < PLACES; j++)
+    for (int j = 0; j < PLACES; j++) {
+        bl_gathered places = {.count = 0};
+        double sum[BL_BATCH];
+        for (int i = 0; i < PLACES; i++)
+            bl_gather(
+                &places, (size_t)i,
+                (const double[BL_AXES]){1000 * (i + 0.5) / PLACES, 1000 * (j + 0.5) / PLACES});
+        sum_terms(p, &places, points, sum);
         for (int i = 0; i < PLACES; i++) {
-            const double at[BL_AXES] = {1000 * (i + 0.5) / PLACES, 1000 * (j + 0.5) / PLACES};
-            bl_colour seen = colour_at(p, at, 0);
+            bl_colour seen = colour_of(p, sum[i]);
             for (int c = 0; c < 3; c++)
                 mean.rgb[c] += seen.rgb[c] / ((double)PLACES * PLACES);
         }
+    }
     return mean;
 }
 

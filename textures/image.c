@@ -50,22 +50,41 @@ typedef struct image_parameters {
 enum { NONE, MIP, ANISOTROPIC, SAT, MEAN }; // the first three as bl_texels_reading
 static const char *const filter_words[] = {"none", "mip", "anisotropic", "sat", "mean", NULL};
 
-// Moves the place, and stretches the widths by the derivatives of the movement: a box of widths
+// What samples see of the texels: where, and how far along each axis.
+typedef struct image_samples {
+    bl_gathered at;
+    const bl_footprint *footprint[BL_BATCH];
+    double place[2][BL_BATCH], span[2][BL_BATCH];
+} image_samples;
+
+// Moves the places, and stretches the widths by the derivatives of the movement: a box of widths
 // (w_s, w_t, w_z) becomes one of sum over a of |d s'/d a| w_a.
-static void move(const image_parameters *p, const double at[BL_AXES], const double width[BL_AXES],
-                 double place[2], double span[2]) {
+static void move(const image_parameters *p, image_samples *seen) {
     static const double aside[2][3] = {{0, 0, 0}, {1.5, 6.7, 3.4}};
     const bl_signal *noise = p->noise.signal;
     for (int i = 0; i < 2; i++) {
-        double there[BL_AXES], slope[BL_AXES] = {0};
-        for (int a = 0; a < 3; a++)
-            there[a] = p->frequency * at[a] + aside[i][a];
-        place[i] = at[i] + p->amount * bl_signal_value(noise, there);
-        if (noise->functions->gradient && p->seeing.filter != NONE)
-            noise->functions->gradient(noise->parameters, there, slope);
-        span[i] = 0;
-        for (int a = 0; a < 3; a++)
-            span[i] += fabs((a == i) + p->amount * p->frequency * slope[a]) * width[a];
+        bl_gathered moved = {.count = 0};
+        double shift[BL_BATCH];
+        for (size_t k = 0; k < seen->at.count; k++) {
+            double there[BL_AXES] = {0};
+            for (int a = 0; a < 3; a++)
+                there[a] = p->frequency * seen->at.at[a][k] + aside[i][a];
+            bl_gather(&moved, k, there);
+        }
+        bl_signal_values_gathered(noise, &moved, shift);
+        for (size_t k = 0; k < moved.count; k++) {
+            const double *width =
+                p->seeing.filter == NONE ? bl_footprint_point.width : seen->footprint[k]->width;
+            double slope[BL_AXES] = {0}, there[BL_AXES];
+            for (int a = 0; a < BL_AXES; a++)
+                there[a] = moved.at[a][k];
+            if (noise->functions->gradient && p->seeing.filter != NONE)
+                noise->functions->gradient(noise->parameters, there, slope);
+            seen->place[i][k] += p->amount * shift[k];
+            seen->span[i][k] = 0;
+            for (int a = 0; a < 3; a++)
+                seen->span[i][k] += fabs((a == i) + p->amount * p->frequency * slope[a]) * width[a];
+        }
     }
 }
 
@@ -86,29 +105,49 @@ static bl_texels_reading reading_of(uint32_t filter) {
     return filter < SAT ? (bl_texels_reading)filter : BL_TEXELS_POINT;
 }
 
-static bl_colour see(const image_parameters *p, const double at[BL_AXES],
-                     const bl_footprint *footprint) {
-    const double *width = footprint->width;
+static int is_mean(const image_parameters *p, const bl_footprint *footprint) {
     double widest = bl_footprint_widest(footprint, 3);
-    double place[2] = {at[0], at[1]}, span[2] = {width[0], width[1]};
-    bl_colour seen;
     int is_exact = p->seeing.filter == SAT && p->amount == 0; // of a box that is endless one way
-    if (bl_footprint_is_whole(footprint, 3) || (p->seeing.filter == MEAN && widest > 0) ||
-        (isinf(widest) && p->seeing.filter != NONE && !is_exact)) {
-        bl_texels_mean(p->texels, seen.rgb);
-    } else {
-        if (p->amount > 0)
-            move(p, at, p->seeing.filter == NONE ? bl_footprint_point.width : width, place, span);
-        if (p->seeing.filter == SAT && fmax(span[0], span[1]) > 0)
-            look_in_tables(p, place, span, seen.rgb);
-        else
-            bl_texels_look(p->texels, place[0], place[1], span[0], span[1],
-                           reading_of(p->seeing.filter), seen.rgb);
-    }
-    return seen;
+    return bl_footprint_is_whole(footprint, 3) || (p->seeing.filter == MEAN && widest > 0) ||
+           (isinf(widest) && p->seeing.filter != NONE && !is_exact);
 }
 
-BL_TEXTURE_ABILITIES(image_parameters, 3)
+// Up to BL_BATCH samples.
+static void see_batch(const image_parameters *p, const bl_samples *samples, double *rgb) {
+    image_samples seen;
+    seen.at.count = 0;
+    for (size_t i = 0; i < samples->count; i++) {
+        const bl_footprint *footprint = bl_samples_footprint(samples, i);
+        double at[BL_AXES];
+        bl_samples_place(samples, i, at);
+        if (!bl_texture_is_seen(at, footprint, 3)) {
+            bl_colour_put(bl_colour_missing, rgb + 3 * i);
+        } else if (is_mean(p, footprint)) {
+            bl_texels_mean(p->texels, rgb + 3 * i);
+        } else {
+            for (int a = 0; a < 2; a++) {
+                seen.place[a][seen.at.count] = at[a];
+                seen.span[a][seen.at.count] = footprint->width[a];
+            }
+            seen.footprint[seen.at.count] = footprint;
+            bl_gather(&seen.at, i, at);
+        }
+    }
+    if (p->amount > 0)
+        move(p, &seen);
+    for (size_t k = 0; k < seen.at.count; k++) {
+        const double place[2] = {seen.place[0][k], seen.place[1][k]};
+        const double span[2] = {seen.span[0][k], seen.span[1][k]};
+        double *out = rgb + 3 * seen.at.of[k];
+        if (p->seeing.filter == SAT && fmax(span[0], span[1]) > 0)
+            look_in_tables(p, place, span, out);
+        else
+            bl_texels_look(p->texels, place[0], place[1], span[0], span[1],
+                           reading_of(p->seeing.filter), out);
+    }
+}
+
+BL_TEXTURE_BATCH_ABILITIES(image_parameters)
 
 static bl_status make_tables(image_parameters *p, bl_message *message) {
     size_t size[2];

@@ -21,19 +21,6 @@ bl_status bl_noise_source_open(bl_noise_source *source, const char *text, unsign
                                bl_message *message);
 void bl_noise_source_close(bl_noise_source *source);
 
-// The noise in double at a place.
-static inline double bl_noise_source_value(const bl_noise_source *source, double x, double y,
-                                           double z) {
-    return bl_signal_value(source->signal, (const double[BL_AXES]){x, y, z});
-}
-
-// The same at the places of a batch.
-static inline void bl_noise_source_values(const bl_noise_source *source, const bl_gathered *places,
-                                          double *out) {
-    const bl_samples samples = bl_gathered_samples(places, &bl_footprint_point, 0);
-    bl_signal_values(source->signal, samples.at, samples.count, out);
-}
-
 // clang-format off
 // The keys seed and noise, for a block that has the source as `field`; `usual` is the noise.
 #define BL_NOISE_SOURCE_PARAMETERS(block, field, usual)                                            \

@@ -41,10 +41,14 @@ typedef struct perturbed_brick_parameters {
 enum { NONE, INTEGRAL, EXACT, MEAN };
 static const char *const filter_words[] = {"none", "integral", "exact", "mean", NULL};
 
+// A row is shifted by the noise at its middle.
+static void gather_row(bl_gathered *rows, size_t of, double row) {
+    bl_gather(rows, of, (const double[BL_AXES]){row + 0.5});
+}
+
 static double row_average(const perturbed_brick_parameters *p, const bl_brick *brick, double row,
-                          double s, double width) {
-    double shift =
-        bl_brick_shift(row) + p->amount * bl_noise_source_value(&p->noise, row + 0.5, 0, 0);
+                          double noise, double s, double width) {
+    double shift = bl_brick_shift(row) + p->amount * noise;
     return bl_pulse_train_average(&bl_filter_box, brick->edge[0], 1 - brick->edge[0], s + shift,
                                   width);
 }
@@ -53,39 +57,65 @@ static double row_average(const perturbed_brick_parameters *p, const bl_brick *b
 static double average_rows(const perturbed_brick_parameters *p, const bl_brick *brick, double s,
                            double t, double width_s, double width_t) {
     double span = fmin(width_t, ROWS_MOST - 2), low = t - 0.5 * span, high = t + 0.5 * span;
-    double sum = 0, centre = floor(t);
-    for (double k = floor(low) - centre; k <= floor(high) - centre; k++) {
-        double row = centre + k, from = fmax(low - row, brick->edge[1]);
-        double to = fmin(high - row, 1 - brick->edge[1]);
-        if (to > from)
-            sum += (to - from) * row_average(p, brick, row, s, width_s);
+    double sum = 0, centre = floor(t), k = floor(low) - centre, last = floor(high) - centre;
+    while (k <= last) {
+        bl_gathered rows = {.count = 0};
+        double row[BL_BATCH] = {0}, covered[BL_BATCH], noise[BL_BATCH];
+        for (; k <= last && rows.count < BL_BATCH; k++) {
+            double here = centre + k, from = fmax(low - here, brick->edge[1]);
+            double to = fmin(high - here, 1 - brick->edge[1]);
+            if (to > from) {
+                row[rows.count] = here;
+                covered[rows.count] = to - from;
+                gather_row(&rows, rows.count, here);
+            }
+        }
+        bl_signal_values_gathered(p->noise.signal, &rows, noise);
+        for (size_t n = 0; n < rows.count; n++)
+            sum += covered[n] * row_average(p, brick, row[n], noise[n], s, width_s);
     }
     return fmin(sum / span, 1); // the overlaps add up to the span but for their rounding
 }
 
-static double share_of_brick(const perturbed_brick_parameters *p, const double at[BL_AXES],
-                             const double width[BL_AXES]) {
-    const bl_brick brick = bl_brick_of(&p->sizes);
-    int filtered = p->seeing.filter != NONE;
-    double s = at[0] / brick.size[0], t = at[1] / brick.size[1];
-    double width_s = filtered ? width[0] / brick.size[0] : 0;
-    double width_t = filtered ? width[1] / brick.size[1] : 0;
-    if (p->seeing.filter == EXACT && width_t > 0)
-        return average_rows(p, &brick, s, t, width_s, width_t);
-    return row_average(p, &brick, floor(t), s, width_s) *
-           bl_pulse_train_average(&bl_filter_box, brick.edge[1], 1 - brick.edge[1], t, width_t);
-}
-
-static bl_colour see(const perturbed_brick_parameters *p, const double at[BL_AXES],
-                     const bl_footprint *footprint) {
-    const bl_brick brick = bl_brick_of(&p->sizes);
-    int all = bl_footprint_is_whole(footprint, 2) ||
-              (p->seeing.filter == MEAN && bl_footprint_widest(footprint, 2) > 0);
-    double share = all ? bl_brick_share(&brick) : share_of_brick(p, at, footprint->width);
+static bl_colour colour_of(double share) {
     return bl_colour_mix(bl_mortar_colour, bl_brick_colour, share);
 }
 
-BL_TEXTURE_ABILITIES(perturbed_brick_parameters, 2)
+// Up to BL_BATCH samples.
+static void see_batch(const perturbed_brick_parameters *p, const bl_samples *samples, double *rgb) {
+    const bl_brick brick = bl_brick_of(&p->sizes);
+    bl_gathered rows = {.count = 0};
+    double s[BL_BATCH], t[BL_BATCH], width[2][BL_BATCH], noise[BL_BATCH];
+    for (size_t i = 0; i < samples->count; i++) {
+        const bl_footprint *footprint = bl_samples_footprint(samples, i);
+        double at[BL_AXES];
+        bl_samples_place(samples, i, at);
+        size_t k = rows.count;
+        for (int a = 0; a < 2; a++)
+            width[a][k] = p->seeing.filter == NONE ? 0 : footprint->width[a] / brick.size[a];
+        s[k] = at[0] / brick.size[0];
+        t[k] = at[1] / brick.size[1];
+        if (!bl_texture_is_seen(at, footprint, 2))
+            bl_colour_put(bl_colour_missing, rgb + 3 * i);
+        else if (bl_footprint_is_whole(footprint, 2) ||
+                 (p->seeing.filter == MEAN && bl_footprint_widest(footprint, 2) > 0))
+            bl_colour_put(colour_of(bl_brick_share(&brick)), rgb + 3 * i);
+        else if (p->seeing.filter == EXACT && width[1][k] > 0)
+            bl_colour_put(colour_of(average_rows(p, &brick, s[k], t[k], width[0][k], width[1][k])),
+                          rgb + 3 * i);
+        else
+            gather_row(&rows, i, floor(t[k]));
+    }
+    bl_signal_values_gathered(p->noise.signal, &rows, noise);
+    for (size_t k = 0; k < rows.count; k++) {
+        double along = row_average(p, &brick, floor(t[k]), noise[k], s[k], width[0][k]);
+        double up = bl_pulse_train_average(&bl_filter_box, brick.edge[1], 1 - brick.edge[1], t[k],
+                                           width[1][k]);
+        bl_colour_put(colour_of(along * up), rgb + 3 * rows.of[k]);
+    }
+}
+
+BL_TEXTURE_BATCH_ABILITIES(perturbed_brick_parameters)
 
 static bl_status build(void *block, bl_opener *open, bl_message *message) {
     (void)open;

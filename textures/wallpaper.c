@@ -56,57 +56,143 @@ static const bl_colour paper_colour = {{0.05, 0.12, 0.4}}, star_colour = {{1.0, 
 // In cells, like all coordinates below.
 static const bl_star star = {.points = 5, .inner = 0.1, .outer = 0.3};
 
-static int is_present(const wallpaper_parameters *p, double column, double row) {
-    return 0.5 + 0.5 * bl_noise_source_value(&p->noise, 3 * column - 9.5, 7 * row + 7.5, 0) < 0.55;
+// The noise that tells whether a cell has a star, and those that move it along each axis.
+enum { PRESENCE, ALONG_S, ALONG_T };
+static const double noise_scale[3][2] = {{3, 7}, {1, 1}, {1, 1}};
+static const double noise_aside[3][2] = {{-9.5, 7.5}, {0.5, 0.5}, {3.5, 8.5}};
+
+static void gather_cell(bl_gathered *cells, size_t of, int noise, double column, double row) {
+    bl_gather(cells, of,
+              (const double[BL_AXES]){noise_scale[noise][0] * column + noise_aside[noise][0],
+                                      noise_scale[noise][1] * row + noise_aside[noise][1]});
 }
 
-// How much of the star of a cell is seen at (s, t), given from the cell's own middle.
-static double star_of(const wallpaper_parameters *p, double column, double row, double s, double t,
-                      const double width[BL_AXES]) {
-    double x = s - 0.6 * bl_noise_source_value(&p->noise, column + 0.5, row + 0.5, 0);
-    double y = t - 0.6 * bl_noise_source_value(&p->noise, column + 3.5, row + 8.5, 0);
-    bl_edge edge = p->seeing.filter == FADE ? BL_EDGE_BOXSTEP : (bl_edge)p->seeing.filter;
-    return bl_star_step(&star, edge, x, y, width);
+static int is_present(double noise) {
+    return 0.5 + 0.5 * noise < 0.55;
 }
 
-static double share_of_stars(const wallpaper_parameters *p, const double at[BL_AXES],
-                             const double wide[BL_AXES]) {
-    double s = at[0] * p->count, t = at[1] * p->count, column = floor(s), row = floor(t);
-    const double width[BL_AXES] = {wide[0] * p->count, wide[1] * p->count};
-    s -= column + 0.5;
-    t -= row + 0.5;
+// What samples see of the cells, in cells: the cell that each lies in, its place from the middle of
+// that, and its widths. `share` of stars is to be found.
+typedef struct wall_samples {
+    double cell[2][BL_BATCH], place[2][BL_BATCH], width[2][BL_BATCH], share[BL_BATCH];
+    size_t of[BL_BATCH], count;
+} wall_samples;
+
+static void add_sample(const wallpaper_parameters *p, wall_samples *seen, size_t of,
+                       const double at[BL_AXES], const double width[BL_AXES]) {
+    size_t k = seen->count++;
+    for (int a = 0; a < 2; a++) {
+        double place = at[a] * p->count;
+        seen->cell[a][k] = floor(place);
+        seen->place[a][k] = place - (seen->cell[a][k] + 0.5);
+        seen->width[a][k] = width[a] * p->count;
+    }
+    seen->share[k] = 0;
+    seen->of[k] = of;
+}
+
+// The samples that the star of the cell (i, j) beside their own may reach, if it is there.
+static void find_present(const wallpaper_parameters *p, const wall_samples *seen, int i, int j,
+                         bl_gathered *present) {
+    bl_gathered near = {.count = 0};
+    double noise[BL_BATCH];
+    for (size_t k = 0; k < seen->count; k++) {
+        // Beyond a tip, the filtered step falls along the axis 3.9 times slower than across edges.
+        double more = 2 * (seen->width[0][k] + seen->width[1][k]);
+        double reach = p->reach + (p->seeing.filter == NONE ? 0 : more);
+        if (fabs(seen->place[0][k] - i) <= reach && fabs(seen->place[1][k] - j) <= reach)
+            gather_cell(&near, k, PRESENCE, seen->cell[0][k] + (p->form ? 0 : i),
+                        seen->cell[1][k] + j);
+    }
+    bl_signal_values_gathered(p->noise.signal, &near, noise);
+    for (size_t n = 0; n < near.count; n++)
+        if (is_present(noise[n]))
+            present->of[present->count++] = near.of[n];
+}
+
+// How much of the stars of the cell (i, j) beside their own the samples see.
+static void add_stars(const wallpaper_parameters *p, int i, int j, wall_samples *seen) {
+    const bl_edge edge = p->seeing.filter == FADE ? BL_EDGE_BOXSTEP : (bl_edge)p->seeing.filter;
+    bl_gathered present = {.count = 0}, along_s = {.count = 0}, along_t = {.count = 0};
+    double x[BL_BATCH], y[BL_BATCH];
     if (p->cells == ONE)
-        return star_of(p, column, row, s, t, width);
-    // Beyond a tip, the filtered step falls along the axis 3.9 times slower than across the edges.
-    double most = 0, reach = p->reach + (p->seeing.filter == NONE ? 0 : 2 * (width[0] + width[1]));
-    for (int j = -1; j <= 1; j++)
-        for (int i = -1; i <= 1; i++)
-            if (fabs(s - i) <= reach && fabs(t - j) <= reach &&
-                is_present(p, column + (p->form ? 0 : i), row + j))
-                most = fmax(most, star_of(p, column + i, row + j, s - i, t - j, width));
-    return most;
+        for (; present.count < seen->count; present.count++)
+            present.of[present.count] = present.count;
+    else
+        find_present(p, seen, i, j, &present);
+    for (size_t n = 0; n < present.count; n++) {
+        size_t k = present.of[n];
+        gather_cell(&along_s, k, ALONG_S, seen->cell[0][k] + i, seen->cell[1][k] + j);
+        gather_cell(&along_t, k, ALONG_T, seen->cell[0][k] + i, seen->cell[1][k] + j);
+    }
+    bl_signal_values_gathered(p->noise.signal, &along_s, x);
+    bl_signal_values_gathered(p->noise.signal, &along_t, y);
+    for (size_t n = 0; n < present.count; n++) {
+        size_t k = present.of[n];
+        const double width[BL_AXES] = {seen->width[0][k], seen->width[1][k]};
+        double star_seen = bl_star_step(&star, edge, seen->place[0][k] - i - 0.6 * x[n],
+                                        seen->place[1][k] - j - 0.6 * y[n], width);
+        seen->share[k] = p->cells == ONE ? star_seen : fmax(seen->share[k], star_seen);
+    }
 }
 
-static double share_of(const wallpaper_parameters *p, const double at[BL_AXES],
-                       const bl_footprint *footprint) {
-    if (bl_footprint_is_whole(footprint, 2))
-        return p->share;
-    double widest = bl_footprint_widest(footprint, 2);
-    double kept = p->seeing.filter == FADE ? bl_octave_kept(p->count, BL_CLAMP_FADE, widest) : 1;
-    double share = kept > 0 ? share_of_stars(p, at, footprint->width) : 0;
-    return (1 - kept) * p->share + kept * share;
+static void find_stars(const wallpaper_parameters *p, wall_samples *seen) {
+    const int reach = p->cells == ONE ? 0 : 1;
+    for (int j = -reach; j <= reach; j++)
+        for (int i = -reach; i <= reach; i++)
+            add_stars(p, i, j, seen);
 }
 
-static bl_colour see(const wallpaper_parameters *p, const double at[BL_AXES],
-                     const bl_footprint *footprint) {
-    return bl_colour_mix(paper_colour, star_colour, share_of(p, at, footprint));
+static double kept_of(const wallpaper_parameters *p, const bl_footprint *footprint) {
+    return p->seeing.filter == FADE
+               ? bl_octave_kept(p->count, BL_CLAMP_FADE, bl_footprint_widest(footprint, 2))
+               : 1;
 }
 
-BL_TEXTURE_ABILITIES(wallpaper_parameters, 2)
+// Up to BL_BATCH samples.
+static void see_batch(const wallpaper_parameters *p, const bl_samples *samples, double *rgb) {
+    wall_samples seen;
+    seen.count = 0;
+    for (size_t i = 0; i < samples->count; i++) {
+        const bl_footprint *footprint = bl_samples_footprint(samples, i);
+        double at[BL_AXES];
+        bl_samples_place(samples, i, at);
+        if (!bl_texture_is_seen(at, footprint, 2))
+            bl_colour_put(bl_colour_missing, rgb + 3 * i);
+        else if (bl_footprint_is_whole(footprint, 2) || !(kept_of(p, footprint) > 0))
+            bl_colour_put(bl_colour_mix(paper_colour, star_colour, p->share), rgb + 3 * i);
+        else
+            add_sample(p, &seen, i, at, footprint->width);
+    }
+    find_stars(p, &seen);
+    for (size_t k = 0; k < seen.count; k++) {
+        double kept = kept_of(p, bl_samples_footprint(samples, seen.of[k]));
+        double share = (1 - kept) * p->share + kept * seen.share[k];
+        bl_colour_put(bl_colour_mix(paper_colour, star_colour, share), rgb + 3 * seen.of[k]);
+    }
+}
+
+BL_TEXTURE_BATCH_ABILITIES(wallpaper_parameters)
+
+enum { CELLS = 64 }; // not more than BL_BATCH
+
+// How many of CELLS x CELLS cells have a star.
+static int count_stars(const wallpaper_parameters *p) {
+    int present = 0;
+    for (int j = 0; j < CELLS; j++) {
+        bl_gathered cells = {.count = 0};
+        double noise[BL_BATCH];
+        for (int i = 0; i < CELLS; i++)
+            gather_cell(&cells, (size_t)i, PRESENCE, i, j);
+        bl_signal_values_gathered(p->noise.signal, &cells, noise);
+        for (int i = 0; i < CELLS; i++)
+            present += p->cells == ONE || is_present(noise[i]);
+    }
+    return present;
+}
 
 static bl_status build(void *block, bl_opener *open, bl_message *message) {
     (void)open;
-    enum { CELLS = 64 };
     wallpaper_parameters *p = block;
     bl_status status = bl_noise_source_open(&p->noise, p->noise.text, 2, message);
     if (status != BL_OK)
@@ -114,11 +200,7 @@ static bl_status build(void *block, bl_opener *open, bl_message *message) {
     const bl_facts *facts = &p->noise.signal->facts;
     double bound = fmax(fabs(facts->lower), fabs(facts->upper)); // of a noise without one, NaN
     p->reach = isfinite(bound) ? 0.6 * bound + star.outer : INFINITY;
-    int present = 0;
-    for (int j = 0; j < CELLS; j++)
-        for (int i = 0; i < CELLS; i++)
-            present += p->cells == ONE || is_present(p, i, j);
-    p->share = bl_star_area(&star) * present / (CELLS * CELLS);
+    p->share = bl_star_area(&star) * count_stars(p) / (CELLS * CELLS);
     return BL_OK;
 }
 

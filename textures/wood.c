@@ -112,10 +112,10 @@ static void see_batch(const wood_parameters *p, const bl_samples *samples, doubl
                           (const double[BL_AXES]){FIBRES * at[0], FIBRES * at[1], at[2]});
         }
     }
-    bl_noise_source_values(&p->noise, &rings, noise);
+    bl_signal_values_gathered(p->noise.signal, &rings, noise);
     for (size_t k = 0; k < rings.count; k++)
         noises[rings.of[k]][0] = noise[k];
-    bl_noise_source_values(&p->noise, &fibres, noise);
+    bl_signal_values_gathered(p->noise.signal, &fibres, noise);
     for (size_t k = 0; k < fibres.count; k++)
         noises[fibres.of[k]][1] = noise[k];
     for (size_t k = 0; k < rings.count; k++) {
