@@ -55,6 +55,7 @@
 #include "noises/closed_forms.h"
 #include "noises/common_parameters.h"
 #include "noises/lattice/separable_dimensions.h"
+#include "noises/lattice/reference.h"
 #include "noises/noise.h"
 #include "noises/textbook.h"
 
@@ -445,20 +446,29 @@ static void visit_ring(const cellular_parameters *p, const bl_lattice *lattices,
                     visit(p, lattices, cell, fraction, (const int[]){x, y, z}, found);
 }
 
-static double reference(const void *block, const double at[BL_AXES], double gradient[BL_AXES]) {
+typedef struct cellular_lattices {
+    bl_lattice of[MOST_POINTS]; // the feature points of a cell
+} cellular_lattices;
+
+static cellular_lattices open_lattices(const void *block) {
     const cellular_parameters *p = block;
+    cellular_lattices lattices;
+    for (unsigned n = 0; n < p->points; n++)
+        lattices.of[n] = lattice_of(p, n);
+    return lattices;
+}
+
+static double reference(const cellular_parameters *p, const cellular_lattices *lattices,
+                        const double at[BL_AXES], double gradient[BL_AXES]) {
     uint64_t cell[BL_AXES] = {0};
     double fraction[MOST_AXES] = {0};
     nearest found[2] = {{.distance = INFINITY}, {.distance = INFINITY}};
-    bl_lattice lattices[MOST_POINTS];
     int inside = 1;
     for (unsigned a = 0; a < p->dimensions; a++)
         inside &= bl_lattice_split(at[a], &cell[a], &fraction[a]);
-    for (unsigned n = 0; n < p->points; n++)
-        lattices[n] = lattice_of(p, n);
     // A ring's cells are ring - 1 away or more along some axis, in every metric.
     for (int ring = 0; inside && ring - 1 < found[1].distance; ring++)
-        visit_ring(p, lattices, cell, fraction, ring, found);
+        visit_ring(p, lattices->of, cell, fraction, ring, found);
     const double of_first = p->value == F1 ? 1 : p->value == F2 ? 0 : -1;
     const double of_second = p->value == F1 ? 0 : 1;
     for (unsigned a = 0; gradient && a < BL_AXES; a++) {
@@ -470,12 +480,16 @@ static double reference(const void *block, const double at[BL_AXES], double grad
     return inside ? of_second * found[1].distance + of_first * found[0].distance : NAN;
 }
 
-static double value(const void *block, const double at[BL_AXES]) {
-    return reference(block, at, NULL);
+static double value_at(const void *block, const cellular_lattices *lattices,
+                       const double at[BL_AXES]) {
+    return reference(block, lattices, at, NULL);
 }
 
+BL_VALUES_OF_OPENED(cellular_lattices, open_lattices)
+
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
-    reference(block, at, out);
+    const cellular_lattices lattices = open_lattices(block);
+    reference(block, &lattices, at, out);
 }
 
 // --- facts --------------------------------------------------------------------------------------
@@ -553,5 +567,6 @@ BL_NOISE_DESCRIPTOR(cellular_noise) = {
     .describe = describe,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_VALUES,
-    .functions = {.row = row, .points = points, .value = value, .gradient = gradient},
+    .functions =
+        {.row = row, .points = points, .value = value, .values = values, .gradient = gradient},
 };

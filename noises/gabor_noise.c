@@ -55,6 +55,7 @@
 #include "noises/impulses/gabor_forms.h"
 #include "noises/impulses/impulse_profiles.h"
 #include "noises/impulses/impulses.h"
+#include "noises/lattice/reference.h"
 #include "noises/noise.h"
 #include "noises/lattice/separable.h"
 #include "noises/textbook_loops.h"
@@ -160,6 +161,7 @@ static inline __attribute__((always_inline)) float impulse_term(const impulse_ke
 typedef struct gabor_sum {
     const gabor_parameters *p;
     impulse_kernel kernel;
+    int sloped; // whether the gradient is asked for
     double value, gradient[2];
 } gabor_sum;
 
@@ -182,17 +184,30 @@ static void add_kernel(void *context, const double d[IMPULSE_AXES], uint32_t thi
     double rate = M_PI * p->bandwidth * p->bandwidth, envelope = weight * exp(-rate * square);
     double angle = 2 * M_PI * (p->frequency * (ux * d[0] + uy * d[1]) + phase);
     double wave = envelope * cos(angle);
-    double slope = -2 * M_PI * p->frequency * envelope * sin(angle);
     sum->value += wave;
+    if (!sum->sloped)
+        return;
+    double slope = -2 * M_PI * p->frequency * envelope * sin(angle);
     sum->gradient[0] += slope * ux - 2 * rate * d[0] * wave;
     sum->gradient[1] += slope * uy - 2 * rate * d[1] * wave;
 }
 
-static gabor_sum evaluate(const gabor_parameters *p, const double at[BL_AXES]) {
+typedef struct gabor_opened {
     impulse_source source;
-    gabor_sum sum = {.p = p, .kernel = kernel_of(p)};
-    impulse_source_open(&source, &p->lattice, p->impulses, 1);
-    if (!impulse_visit(&source, 2, 1, at, add_kernel, &sum))
+    impulse_kernel kernel;
+} gabor_opened;
+
+static gabor_opened open_gabor(const void *block) {
+    const gabor_parameters *p = block;
+    gabor_opened opened = {.kernel = kernel_of(p)};
+    impulse_source_open(&opened.source, &p->lattice, p->impulses, 1);
+    return opened;
+}
+
+static gabor_sum evaluate(const gabor_parameters *p, const gabor_opened *opened,
+                          const double at[BL_AXES], int sloped) {
+    gabor_sum sum = {.p = p, .kernel = opened->kernel, .sloped = sloped};
+    if (!impulse_visit(&opened->source, 2, 1, at, add_kernel, &sum))
         sum.value = sum.gradient[0] = sum.gradient[1] = NAN;
     double scale = 1 / sqrt(p->impulses);
     sum.value *= scale;
@@ -201,13 +216,16 @@ static gabor_sum evaluate(const gabor_parameters *p, const double at[BL_AXES]) {
     return sum;
 }
 
-static double value(const void *block, const double at[BL_AXES]) {
-    return evaluate(block, at).value;
+static double value_at(const void *block, const gabor_opened *opened, const double at[BL_AXES]) {
+    return evaluate(block, opened, at, 0).value;
 }
+
+BL_VALUES_OF_OPENED(gabor_opened, open_gabor)
 
 // Between the rims of the kernels.
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
-    gabor_sum sum = evaluate(block, at);
+    const gabor_opened opened = open_gabor(block);
+    const gabor_sum sum = evaluate(block, &opened, at, 1);
     out[0] = sum.gradient[0];
     out[1] = sum.gradient[1];
     out[2] = out[3] = 0;
@@ -324,5 +342,5 @@ BL_NOISE_DESCRIPTOR(gabor_noise) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
-    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

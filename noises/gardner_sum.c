@@ -48,6 +48,7 @@
 #include "core/random.h"
 #include "noises/common_parameters.h"
 #include "noises/octaves/gardner_theory.h"
+#include "noises/lattice/reference.h"
 #include "noises/noise.h"
 #include "noises/octaves/octaves.h"
 #include "noises/lattice/separable.h"
@@ -65,7 +66,8 @@ typedef struct gardner_parameters {
 #define X_PHASE BL_GARDNER_X_PHASE
 #define Y_PHASE BL_GARDNER_Y_PHASE
 
-static bl_gardner_terms terms_of(const gardner_parameters *p) {
+static bl_gardner_terms terms_of(const void *block) {
+    const gardner_parameters *p = block;
     bl_gardner_terms terms = {.x = 13, .y = 96};
     double across = 0.023, up = 0.021, amplitude = 0.3;
     for (unsigned i = 0; i < p->terms; i++) {
@@ -168,23 +170,22 @@ static double wave(double turns, double *slope) {
     return cos(angle);
 }
 
-static double reference(const void *parameters, const double at[BL_AXES],
+static double reference(const bl_gardner_terms *terms, const double at[BL_AXES],
                         double gradient[BL_AXES]) {
-    bl_gardner_terms terms = terms_of(parameters);
-    double x = at[0] + terms.x, y = at[1] + terms.y, sum = terms.lost;
+    double x = at[0] + terms->x, y = at[1] + terms->y, sum = terms->lost;
     double x_phase = FIRST_X_PHASE, y_phase = FIRST_Y_PHASE, x_phase_slope = 0, y_phase_slope = 0;
     int inside = fabs(at[0]) < 0x1p62 && fabs(at[1]) < 0x1p62;
     for (int a = 0; gradient && a < BL_AXES; a++)
         gradient[a] = inside ? 0 : NAN;
-    for (unsigned i = 0; inside && i < terms.count; i++) {
-        double u = terms.across[i], v = terms.up[i], slopes[4];
+    for (unsigned i = 0; inside && i < terms->count; i++) {
+        double u = terms->across[i], v = terms->up[i], slopes[4];
         double x_turns = turns_of(u * x), y_turns = turns_of(v * y);
         double first = 0.5 + wave(x_turns + u * x_phase, &slopes[0]);
         double second = 0.5 + wave(y_turns + v * y_phase, &slopes[1]);
-        sum += terms.square[i] * first * second;
+        sum += terms->square[i] * first * second;
         if (gradient) {
-            double to_first = terms.square[i] * second * slopes[0] * u;
-            double to_second = terms.square[i] * first * slopes[1] * v;
+            double to_first = terms->square[i] * second * slopes[0] * u;
+            double to_second = terms->square[i] * first * slopes[1] * v;
             gradient[0] += to_first + to_second * y_phase_slope;
             gradient[1] += to_first * x_phase_slope + to_second;
         }
@@ -196,12 +197,16 @@ static double reference(const void *parameters, const double at[BL_AXES],
     return inside ? sum : NAN;
 }
 
-static double value(const void *parameters, const double at[BL_AXES]) {
-    return reference(parameters, at, NULL);
+static double value_at(const void *block, const bl_gardner_terms *terms, const double at[BL_AXES]) {
+    (void)block;
+    return reference(terms, at, NULL);
 }
 
+BL_VALUES_OF_OPENED(bl_gardner_terms, terms_of)
+
 static void gradient(const void *parameters, const double at[BL_AXES], double out[BL_AXES]) {
-    reference(parameters, at, out);
+    const bl_gardner_terms terms = terms_of(parameters);
+    reference(&terms, at, out);
 }
 
 // u_i = 0.023 prod (19 + j)/10 and v_i = 0.021 prod (220 - 8 j)/100, j < i, as whole numbers over
@@ -311,5 +316,6 @@ BL_NOISE_DESCRIPTOR(gardner_sum) = {
     .textbook = textbook,
     .textbook_settings = "",
     .has_closed_form = has_closed_form,
-    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, .covariance = covariance},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient,
+                  .covariance = covariance},
 };

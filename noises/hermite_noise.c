@@ -25,6 +25,7 @@
 
 #include "noises/common_parameters.h"
 #include "noises/closed_forms.h"
+#include "noises/lattice/reference.h"
 #include "noises/noise.h"
 #include "noises/textbook.h"
 #include "noises/lattice/separable.h"
@@ -216,25 +217,27 @@ static void row(const void *block_of_parameters, const double start[BL_AXES],
 
 // --- the reference in double --------------------------------------------------------------------
 
-static double reference(const void *block, const double at[BL_AXES], double gradient[BL_AXES]) {
-    bl_lattice lattice = lattice_of(block);
-    uint64_t cell[3];
-    double fraction[3], sum = 0, slopes[BL_AXES] = {0};
-    int inside = 1;
-    for (int a = 0; a < 3; a++)
-        inside &= bl_lattice_split(at[a], &cell[a], &fraction[a]);
+static double reference(const bl_lattice *lattice, const double at[BL_AXES],
+                        double gradient[BL_AXES]) {
+    bl_reference_cells cells;
+    double sum = 0, slopes[BL_AXES] = {0};
+    double value[3][2], tangent[3][2], value_slope[3][2], tangent_slope[3][2];
+    int inside = bl_reference_cells_load(&cells, lattice, 3, at, 0, 2);
+    for (unsigned a = 0; inside && a < 3; a++)
+        for (unsigned bit = 0; bit < 2; bit++) {
+            value[a][bit] = value_weight(cells.fraction[a] - bit, &value_slope[a][bit]);
+            tangent[a][bit] = tangent_weight(cells.fraction[a] - bit, &tangent_slope[a][bit]);
+        }
     for (unsigned n = 0; inside && n < 8 * BL_COMPONENTS; n++) {
-        unsigned corner = n & 7, component = n >> 3;
+        unsigned corner = n & 7, component = n >> 3, knot[BL_AXES] = {0};
         double w[3], s[3];
-        uint64_t there[3];
         for (unsigned a = 0; a < 3; a++) {
-            unsigned bit = corner >> a & 1;
-            there[a] = cell[a] + bit;
-            w[a] = component == 1 + a ? tangent_weight(fraction[a] - bit, &s[a])
-                                      : value_weight(fraction[a] - bit, &s[a]);
+            knot[a] = corner >> a & 1;
+            w[a] = component == 1 + a ? tangent[a][knot[a]] : value[a][knot[a]];
+            s[a] = component == 1 + a ? tangent_slope[a][knot[a]] : value_slope[a][knot[a]];
         }
         double number =
-            bl_lattice_value(bl_lattice_word(&lattice, there, component)) * BL_LATTICE_UNIT;
+            bl_lattice_value(bl_reference_word(&cells, knot, component)) * BL_LATTICE_UNIT;
         sum += number * w[0] * w[1] * w[2];
         slopes[0] += number * s[0] * w[1] * w[2];
         slopes[1] += number * w[0] * s[1] * w[2];
@@ -245,12 +248,16 @@ static double reference(const void *block, const double at[BL_AXES], double grad
     return inside ? sum : NAN;
 }
 
-static double value(const void *block, const double at[BL_AXES]) {
-    return reference(block, at, NULL);
+static double value_at(const void *block, const bl_lattice *lattice, const double at[BL_AXES]) {
+    (void)block;
+    return reference(lattice, at, NULL);
 }
 
+BL_VALUES_OF_OPENED(bl_lattice, lattice_of)
+
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
-    reference(block, at, out);
+    const bl_lattice lattice = lattice_of(block);
+    reference(&lattice, at, out);
 }
 
 static bl_terms terms_of(const void *block) {
@@ -316,5 +323,5 @@ BL_NOISE_DESCRIPTOR(hermite_noise) = {
     .has_closed_form = has_closed_form,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_VALUES,
-    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

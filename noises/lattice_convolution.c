@@ -34,7 +34,7 @@
 #include "noises/closed_forms.h"
 #include "noises/impulses/convolution_cells.h"
 #include "noises/impulses/convolution_row.h"
-#include "noises/lattice/lattice.h"
+#include "noises/lattice/reference.h"
 #include "noises/noise.h"
 #include "noises/lattice/radial_kernel.h"
 #include "noises/impulses/radial_row.h"
@@ -60,49 +60,46 @@ static const bl_parameter parameters[] = {
 
 // --- the reference ------------------------------------------------------------------------------
 
-// Value and gradient at once.
-static void evaluate(const convolution_parameters *p, const double at[BL_AXES], double *value_out,
-                     double gradient_out[3]) {
-    bl_lattice lattice = bl_lattice_open(&p->lattice);
-    uint64_t cell[3];
-    double fraction[3], sum = 0, slope[3] = {0};
-    for (int a = 0; a < 3; a++)
-        if (!bl_lattice_split(at[a], &cell[a], &fraction[a])) {
-            *value_out = gradient_out[0] = gradient_out[1] = gradient_out[2] = NAN;
-            return;
-        }
-    for (int i = 0; i < 64; i++) {
-        int offset[3] = {i / 16 - 1, i / 4 % 4 - 1, i % 4 - 1};
-        uint64_t visited[3];
+// The value and, if `gradient` is not NULL, the gradient.
+static double reference(const convolution_parameters *p, const bl_lattice *lattice,
+                        const double at[BL_AXES], double gradient[BL_AXES]) {
+    bl_reference_cells cells;
+    double sum = 0, slope[BL_AXES] = {0};
+    int inside = bl_reference_cells_load(&cells, lattice, 3, at, -1, 4);
+    for (unsigned i = 0; inside && i < 64; i++) {
+        const unsigned knot[BL_AXES] = {i / 16, i / 4 % 4, i % 4};
         double d[3], square = 0;
         for (int a = 0; a < 3; a++) {
-            visited[a] = cell[a] + (uint64_t)(int64_t)offset[a];
-            d[a] = fraction[a] - offset[a];
+            d[a] = cells.fraction[a] - ((int)knot[a] - 1);
             square += d[a] * d[a];
         }
         double r = sqrt(square);
-        double random = (double)bl_lattice_value(bl_lattice_word(&lattice, visited, 0));
+        double random = (double)bl_lattice_value(bl_reference_word(&cells, knot, 0));
         sum += random * (p->kernel == KERNEL_EXACT ? radial_kernel(r)
                                                    : radial_kernel_table(square, p->table_rate));
-        for (int a = 0; a < 3; a++)
+        for (int a = 0; gradient && a < 3; a++)
             slope[a] += random * radial_kernel_slope(r) * d[a];
     }
-    *value_out = sum * BL_LATTICE_UNIT;
-    for (int a = 0; a < 3; a++)
-        gradient_out[a] = slope[a] * BL_LATTICE_UNIT;
+    for (int a = 0; gradient && a < BL_AXES; a++)
+        gradient[a] = inside ? slope[a] * BL_LATTICE_UNIT : a < 3 ? NAN : 0;
+    return inside ? sum * BL_LATTICE_UNIT : NAN;
 }
 
-static double value(const void *block, const double at[BL_AXES]) {
-    double result, unused[3];
-    evaluate(block, at, &result, unused);
-    return result;
+static bl_lattice open_lattice(const void *block) {
+    const convolution_parameters *p = block;
+    return bl_lattice_open(&p->lattice);
 }
+
+static double value_at(const void *block, const bl_lattice *lattice, const double at[BL_AXES]) {
+    return reference(block, lattice, at, NULL);
+}
+
+BL_VALUES_OF_OPENED(bl_lattice, open_lattice)
 
 // The gradient of the exact kernel, for the table too, which has none.
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
-    double unused;
-    evaluate(block, at, &unused, out);
-    out[3] = 0;
+    const bl_lattice lattice = open_lattice(block);
+    reference(block, &lattice, at, out);
 }
 
 // --- points -------------------------------------------------------------------------------------
@@ -334,5 +331,5 @@ BL_NOISE_DESCRIPTOR(lattice_convolution) = {
     .has_closed_form = has_closed_form,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_VALUES ",kernel=table:100",
-    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

@@ -59,6 +59,7 @@
 
 #include "noises/closed_forms.h"
 #include "noises/common_parameters.h"
+#include "noises/lattice/reference.h"
 #include "noises/noise.h"
 #include "noises/lattice/simplex_place.h"
 #include "noises/lattice/simplex_points.h"
@@ -103,17 +104,28 @@ static void row(const void *block, const double start[BL_AXES], const double ste
 
 // --- the reference in double --------------------------------------------------------------------
 
-static double reference(const void *block, const double at[BL_AXES], double gradient[BL_AXES]) {
+typedef struct simplex_lattice {
+    bl_lattice lattice;
+    uint32_t words256[256]; // of lattice=perm256
+} simplex_lattice;
+
+static simplex_lattice open_lattice(const void *block) {
     const simplex_parameters *p = block;
+    simplex_lattice opened;
+    opened.lattice = bl_lattice_open(&p->lattice);
+    if (opened.lattice.kind == BL_LATTICE_PERM256)
+        bl_perm256_words(&opened.lattice, 0, opened.words256);
+    return opened;
+}
+
+static double reference(const simplex_parameters *p, const simplex_lattice *opened,
+                        const double at[BL_AXES], double gradient[BL_AXES]) {
     const unsigned dims = p->dimensions;
-    const bl_lattice lattice = bl_lattice_open(&p->lattice);
     const double scale = normalisations[p->radius2][dims];
     simplex_place place;
     double sum = 0, slopes[BL_AXES] = {0};
-    uint32_t rank[BL_AXES] = {0}, words256[256];
+    uint32_t rank[BL_AXES] = {0};
     int inside = simplex_place_of(dims, at, &place);
-    if (lattice.kind == BL_LATTICE_PERM256)
-        bl_perm256_words(&lattice, 0, words256);
     if (inside)
         simplex_ranks(dims, place.fraction, rank);
     for (uint32_t k = 0; inside && k <= dims; k++) {
@@ -126,8 +138,8 @@ static double reference(const void *block, const double at[BL_AXES], double grad
                    k * simplex_unskews[dims];
             square += d[a] * d[a];
         }
-        simplex_gradient g =
-            simplex_gradient_of(dims, simplex_word(&lattice, dims, corner, words256));
+        simplex_gradient g = simplex_gradient_of(
+            dims, simplex_word(&opened->lattice, dims, corner, opened->words256));
         const double components[BL_AXES] = {g.x, g.y, g.z, g.w};
         double t = fmax(0, radii[p->radius2] - square);
         for (unsigned a = 0; a < dims; a++)
@@ -141,12 +153,16 @@ static double reference(const void *block, const double at[BL_AXES], double grad
     return inside ? sum : NAN;
 }
 
-static double value(const void *block, const double at[BL_AXES]) {
-    return reference(block, at, NULL);
+static double value_at(const void *block, const simplex_lattice *lattice,
+                       const double at[BL_AXES]) {
+    return reference(block, lattice, at, NULL);
 }
 
+BL_VALUES_OF_OPENED(simplex_lattice, open_lattice)
+
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
-    reference(block, at, out);
+    const simplex_lattice lattice = open_lattice(block);
+    reference(block, &lattice, at, out);
 }
 
 // --- closed forms and facts ---------------------------------------------------------------------
@@ -302,5 +318,5 @@ BL_NOISE_DESCRIPTOR(simplex_noise) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
-    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

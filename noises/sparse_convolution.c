@@ -48,6 +48,7 @@
 #include "noises/impulses/convolution_row.h"
 #include "noises/impulses/impulse_profiles.h"
 #include "noises/impulses/impulses.h"
+#include "noises/lattice/reference.h"
 #include "noises/noise.h"
 #include "noises/impulses/profile_float.h"
 #include "noises/lattice/radial_kernel.h"
@@ -122,28 +123,36 @@ static void add_kernel(void *context, const double d[IMPULSE_AXES], uint32_t thi
         sum->slope[a] += amplitude * slope * d[a];
 }
 
-static void evaluate(const sparse_parameters *p, const double at[BL_AXES], double *value_out,
-                     double gradient_out[3]) {
-    impulse_source source;
+static sparse_sum evaluate(const sparse_parameters *p, const impulse_source *source,
+                           const double at[BL_AXES]) {
     sparse_sum sum = {.p = p};
-    impulse_source_open(&source, &p->lattice, p->impulses, p->count == IMPULSE_COUNT_POISSON);
-    if (!impulse_visit(&source, 3, 2, at, add_kernel, &sum))
+    if (!impulse_visit(source, 3, 2, at, add_kernel, &sum))
         sum.value = sum.slope[0] = sum.slope[1] = sum.slope[2] = NAN;
-    *value_out = sum.value / p->impulses;
+    sum.value /= p->impulses;
     for (int a = 0; a < 3; a++)
-        gradient_out[a] = sum.slope[a] / p->impulses;
+        sum.slope[a] /= p->impulses;
+    return sum;
 }
 
-static double value(const void *block, const double at[BL_AXES]) {
-    double result, unused[3];
-    evaluate(block, at, &result, unused);
-    return result;
+static impulse_source open_source(const void *block) {
+    const sparse_parameters *p = block;
+    impulse_source source;
+    impulse_source_open(&source, &p->lattice, p->impulses, p->count == IMPULSE_COUNT_POISSON);
+    return source;
 }
+
+static double value_at(const void *block, const impulse_source *source, const double at[BL_AXES]) {
+    return evaluate(block, source, at).value;
+}
+
+BL_VALUES_OF_OPENED(impulse_source, open_source)
 
 // The gradient of the exact kernel, for the table too, which has none.
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
-    double unused;
-    evaluate(block, at, &unused, out);
+    const impulse_source source = open_source(block);
+    const sparse_sum sum = evaluate(block, &source, at);
+    for (int a = 0; a < 3; a++)
+        out[a] = sum.slope[a];
     out[3] = 0;
 }
 
@@ -339,5 +348,5 @@ BL_NOISE_DESCRIPTOR(sparse_convolution) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
-    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

@@ -45,6 +45,7 @@
 #include "noises/common_parameters.h"
 #include "noises/impulses/impulse_profiles.h"
 #include "noises/impulses/impulses.h"
+#include "noises/lattice/reference.h"
 #include "noises/noise.h"
 #include "noises/impulses/profile_float.h"
 #include "noises/lattice/separable.h"
@@ -165,11 +166,23 @@ static void add_spot(void *context, const double d[IMPULSE_AXES], uint32_t third
     sum->gradient[2] += slope * (k->zz * k->zz * d[2]);
 }
 
-static spot_sum evaluate(const spot_parameters *p, const double at[BL_AXES]) {
+typedef struct spot_opened {
     impulse_source source;
-    spot_sum sum = {.kernel = kernel_of(p), .shape = p->shape};
-    impulse_source_open(&source, &p->lattice, p->impulses, p->count == IMPULSE_COUNT_POISSON);
-    if (!impulse_visit(&source, p->dimensions, 1, at, add_spot, &sum))
+    impulse_kernel kernel;
+} spot_opened;
+
+static spot_opened open_spot(const void *block) {
+    const spot_parameters *p = block;
+    spot_opened opened = {.kernel = kernel_of(p)};
+    impulse_source_open(&opened.source, &p->lattice, p->impulses,
+                        p->count == IMPULSE_COUNT_POISSON);
+    return opened;
+}
+
+static spot_sum evaluate(const spot_parameters *p, const spot_opened *opened,
+                         const double at[BL_AXES]) {
+    spot_sum sum = {.kernel = opened->kernel, .shape = p->shape};
+    if (!impulse_visit(&opened->source, p->dimensions, 1, at, add_spot, &sum))
         sum.value = sum.gradient[0] = sum.gradient[1] = sum.gradient[2] = NAN;
     double scale = 1 / sqrt(p->impulses);
     sum.value *= scale;
@@ -178,13 +191,16 @@ static spot_sum evaluate(const spot_parameters *p, const double at[BL_AXES]) {
     return sum;
 }
 
-static double value(const void *block, const double at[BL_AXES]) {
-    return evaluate(block, at).value;
+static double value_at(const void *block, const spot_opened *opened, const double at[BL_AXES]) {
+    return evaluate(block, opened, at).value;
 }
+
+BL_VALUES_OF_OPENED(spot_opened, open_spot)
 
 // Of disc and square 0, as it is almost everywhere.
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
-    spot_sum sum = evaluate(block, at);
+    const spot_opened opened = open_spot(block);
+    const spot_sum sum = evaluate(block, &opened, at);
     for (unsigned a = 0; a < 3; a++)
         out[a] = sum.gradient[a];
     out[3] = 0;
@@ -327,5 +343,5 @@ BL_NOISE_DESCRIPTOR(spot_noise) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
-    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

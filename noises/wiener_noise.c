@@ -181,22 +181,20 @@ static void row(const void *block_of_parameters, const double start[BL_AXES],
 
 // --- the reference in double --------------------------------------------------------------------
 
-static double reference(const void *block, const double at[BL_AXES], double gradient[BL_AXES]) {
-    const wiener_parameters *p = block;
-    const bl_lattice lattice = bl_lattice_open(&p->lattice);
-    uint64_t cell[3];
-    double fraction, sum = 0, slopes[BL_AXES] = {0}, w[3][4], s[3][4];
-    int inside = 1;
-    for (int a = 0; a < 3; a++) {
-        inside &= bl_lattice_split(at[a], &cell[a], &fraction);
-        if (inside)
-            bl_wiener_weights(&p->kernel, fraction, w[a], s[a]);
-    }
+static double reference(const wiener_parameters *p, const bl_lattice *lattice,
+                        const double at[BL_AXES], double gradient[BL_AXES]) {
+    bl_reference_cells cells;
+    double sum = 0, slopes[BL_AXES] = {0}, w[3][4], s[3][4];
+    int inside = bl_reference_cells_load(&cells, lattice, 3, at, -1, 4);
+    for (int a = 0; inside && a < 3; a++)
+        bl_wiener_weights(&p->kernel, cells.fraction[a], w[a], s[a]);
     for (unsigned corner = 0; inside && corner < 64; corner++) {
         const unsigned i = corner % 4, j = corner / 4 % 4, k = corner / 16;
-        const uint64_t there[3] = {cell[0] + i - 1, cell[1] + j - 1, cell[2] + k - 1};
-        double v = bl_lattice_value(bl_lattice_word(&lattice, there, 0)) * BL_LATTICE_UNIT;
+        const unsigned knot[BL_AXES] = {i, j, k};
+        double v = bl_lattice_value(bl_reference_word(&cells, knot, 0)) * BL_LATTICE_UNIT;
         sum += v * w[0][i] * w[1][j] * w[2][k];
+        if (!gradient)
+            continue;
         slopes[0] += v * s[0][i] * w[1][j] * w[2][k];
         slopes[1] += v * w[0][i] * s[1][j] * w[2][k];
         slopes[2] += v * w[0][i] * w[1][j] * s[2][k];
@@ -206,12 +204,20 @@ static double reference(const void *block, const double at[BL_AXES], double grad
     return inside ? sum : NAN;
 }
 
-static double value(const void *block, const double at[BL_AXES]) {
-    return reference(block, at, NULL);
+static bl_lattice open_lattice(const void *block) {
+    const wiener_parameters *p = block;
+    return bl_lattice_open(&p->lattice);
 }
 
+static double value_at(const void *block, const bl_lattice *lattice, const double at[BL_AXES]) {
+    return reference(block, lattice, at, NULL);
+}
+
+BL_VALUES_OF_OPENED(bl_lattice, open_lattice)
+
 static void gradient(const void *block, const double at[BL_AXES], double out[BL_AXES]) {
-    reference(block, at, out);
+    const bl_lattice lattice = open_lattice(block);
+    reference(block, &lattice, at, out);
 }
 
 // --- closed forms and facts ---------------------------------------------------------------------
@@ -319,5 +325,6 @@ BL_NOISE_DESCRIPTOR(wiener_noise) = {
     .has_closed_form = has_closed_form,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_VALUES,
-    .functions = {BL_NOISE_FUNCTIONS, .gradient = gradient, BL_NOISE_CLOSED_FORM, .build = build},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM,
+                  .build = build},
 };

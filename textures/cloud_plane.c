@@ -67,7 +67,8 @@ static void sum_terms(const cloud_plane_parameters *p, const bl_gathered *places
         here[k] = kept_of(0, clamp, width[k]);
     }
     for (unsigned i = 0; i < p->terms; i++) {
-        bl_gathered asked = {.count = 0};
+        bl_gathered asked;
+        asked.count = 0;
         for (size_t k = 0; k < places->count; k++) {
             next[k] = i + 1 < p->terms ? kept_of(i + 1, clamp, width[k]) : 0;
             if (here[k] != next[k])

@@ -29,7 +29,7 @@
 #include "textures/noise_source.h"
 #include "textures/sampling.h"
 
-enum { ROWS_MOST = 256 };
+enum { ROWS_MOST = 256, ROWS_AT_ONCE = 16 };
 
 typedef struct perturbed_brick_parameters {
     bl_brick_sizes sizes;
@@ -59,9 +59,10 @@ static double average_rows(const perturbed_brick_parameters *p, const bl_brick *
     double span = fmin(width_t, ROWS_MOST - 2), low = t - 0.5 * span, high = t + 0.5 * span;
     double sum = 0, centre = floor(t), k = floor(low) - centre, last = floor(high) - centre;
     while (k <= last) {
-        bl_gathered rows = {.count = 0};
-        double row[BL_BATCH] = {0}, covered[BL_BATCH], noise[BL_BATCH];
-        for (; k <= last && rows.count < BL_BATCH; k++) {
+        bl_gathered rows;
+        double row[ROWS_AT_ONCE] = {0}, covered[ROWS_AT_ONCE], noise[ROWS_AT_ONCE];
+        rows.count = 0;
+        for (; k <= last && rows.count < ROWS_AT_ONCE; k++) {
             double here = centre + k, from = fmax(low - here, brick->edge[1]);
             double to = fmin(high - here, 1 - brick->edge[1]);
             if (to > from) {

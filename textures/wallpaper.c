@@ -94,8 +94,9 @@ static void add_sample(const wallpaper_parameters *p, wall_samples *seen, size_t
 // The samples that the star of the cell (i, j) beside their own may reach, if it is there.
 static void find_present(const wallpaper_parameters *p, const wall_samples *seen, int i, int j,
                          bl_gathered *present) {
-    bl_gathered near = {.count = 0};
+    bl_gathered near;
     double noise[BL_BATCH];
+    near.count = 0;
     for (size_t k = 0; k < seen->count; k++) {
         // Beyond a tip, the filtered step falls along the axis 3.9 times slower than across edges.
         double more = 2 * (seen->width[0][k] + seen->width[1][k]);
@@ -113,8 +114,9 @@ static void find_present(const wallpaper_parameters *p, const wall_samples *seen
 // How much of the stars of the cell (i, j) beside their own the samples see.
 static void add_stars(const wallpaper_parameters *p, int i, int j, wall_samples *seen) {
     const bl_edge edge = p->seeing.filter == FADE ? BL_EDGE_BOXSTEP : (bl_edge)p->seeing.filter;
-    bl_gathered present = {.count = 0}, along_s = {.count = 0}, along_t = {.count = 0};
+    bl_gathered present, along_s, along_t;
     double x[BL_BATCH], y[BL_BATCH];
+    present.count = along_s.count = along_t.count = 0;
     if (p->cells == ONE)
         for (; present.count < seen->count; present.count++)
             present.of[present.count] = present.count;
