@@ -15,6 +15,7 @@
 #include "core/plain.h"
 #include "cli/registries.h"
 #include "cli/verb.h"
+#include "cli/words.h"
 #include "core/file.h"
 #include "core/grammar.h"
 #include "core/interrupt.h"
@@ -115,11 +116,6 @@ static bl_status check_operands(bl_call *call) {
     return BL_OK;
 }
 
-static int ends_with(const char *text, const char *ending) {
-    size_t length = strlen(text), tail = strlen(ending);
-    return length > tail && strcmp(text + length - tail, ending) == 0;
-}
-
 // `-o -` is standard output, which has room for one thing.
 static bl_status settle_standard_output(bl_call *call) {
     bl_common *common = &call->common;
@@ -142,7 +138,7 @@ static bl_status settle_standard_output(bl_call *call) {
 // Runs the verb with its report going to stdout or to the file of -o.
 static bl_status run_verb(bl_call *call) {
     const char *path = call->common.output;
-    int data = call->verb->output == BL_OUTPUT_DATA && !(path && ends_with(path, ".json"));
+    int data = call->verb->output == BL_OUTPUT_DATA && !(path && bl_ends_with(path, ".json"));
     bl_file file = {0};
     call->out = stdout;
     if (path && (data || call->verb->output == BL_OUTPUT_FOLDER)) {
@@ -155,7 +151,7 @@ static bl_status run_verb(bl_call *call) {
         if (status != BL_OK)
             return status;
         call->out = file.stream;
-        call->common.json |= ends_with(path, ".json");
+        call->common.json |= bl_ends_with(path, ".json");
     }
     bl_status status = bl_call_complaints(call, call->verb->run(call));
     bl_progress(call, NULL);

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "cli/components.h"
 #include "cli/json.h"
@@ -32,18 +31,15 @@ typedef struct slice_view {
 } slice_view;
 
 static int is_png(const char *path) {
-    size_t length = strlen(path);
-    return length > 4 && strcasecmp(path + length - 4, ".png") == 0;
+    return bl_ends_with(path, ".png");
 }
 
 // Refuses an ending that no writer knows before anything is computed.
 static bl_status check_ending(const char *path, bl_message *message) {
     static const char *const endings[] = {".exr", ".png", ".tif", ".tiff"};
-    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
-        size_t length = strlen(path), tail = strlen(endings[i]);
-        if (length > tail && strcasecmp(path + length - tail, endings[i]) == 0)
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+        if (bl_ends_with(path, endings[i]))
             return BL_OK;
-    }
     return bl_report(message, BL_USAGE,
                      "-o %s: the ending names the format; use .exr, .png, .tif or .tiff", path);
 }

@@ -180,11 +180,6 @@ static bl_status write_csv(bl_call *call, const bl_scorecard *cards, size_t coun
     return status;
 }
 
-static int ends_with(const char *text, const char *ending) {
-    size_t length = strlen(text), tail = strlen(ending);
-    return length > tail && strcmp(text + length - tail, ending) == 0;
-}
-
 static bl_status write_page(bl_call *call, const bl_scorecard *cards, size_t count,
                             const bl_score_settings *used, bl_verdict verdict) {
     bl_score_view *views = calloc(count, sizeof *views);
@@ -205,8 +200,8 @@ static bl_status report(bl_call *call, const bl_scorecard *cards, size_t count,
         bl_score_table_print(call, cards, count, used);
     if (!call->path)
         return BL_OK;
-    return ends_with(call->path, ".html") ? write_page(call, cards, count, used, verdict)
-                                          : write_csv(call, cards, count, used);
+    return bl_ends_with(call->path, ".html") ? write_page(call, cards, count, used, verdict)
+                                             : write_csv(call, cards, count, used);
 }
 
 // --- the run ---

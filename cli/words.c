@@ -5,8 +5,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "core/grammar.h"
+
+int bl_ends_with(const char *path, const char *ending) {
+    size_t length = strlen(path), tail = strlen(ending);
+    return length > tail && strcasecmp(path + length - tail, ending) == 0;
+}
 
 double bl_signal_far(const bl_signal *signal) {
     // From 2^52 on a double has no fraction, whatever the signal does with it.

@@ -23,6 +23,9 @@ bl_status bl_read_axis(const char *option, const char *text, double out[3], bl_m
 bl_status bl_read_range(const char *option, const char *text, int open, double *from, double *to,
                         bl_message *message);
 
+// Whether a path has this ending, in upper or lower case, and more before it.
+int bl_ends_with(const char *path, const char *ending);
+
 // The coordinate beyond which a signal has lost the fraction: what it states, at most 2^52.
 double bl_signal_far(const bl_signal *signal);
 

@@ -81,66 +81,34 @@ _bandlimit() {
         fi
     done
     case $verb in
-    "") words=$verbs ;;
-    list)
-        options="--names"
-        words="noises primitives filters textures sources views methods trades properties figures verbs"
-        ;;
-    show)
-        options="--plot"
-        words=$("${COMP_WORDS[0]}" list --names 2>/dev/null)
-        files=yes
-        ;;
-    eval)
-        options="--components"
-        words=$(_bandlimit_names noises) files=yes
-        ;;
-    render)
-        options="--width --height --scale --at --normal --range --bits --components"
-        words=$(_bandlimit_names noises) files=yes
-        ;;
-    spectrum)
-        options="$spectral --band --autocorrelation"
-        words=$(_bandlimit_names noises) files=yes
-        ;;
-    histogram)
-        options="--samples --bins --range --level"
-        words=$(_bandlimit_names noises) files=yes
-        ;;
-    check)
-        options="$spectral --band --leak --guard --claims --alpha"
-        words=$(_bandlimit_names noises) files=yes
-        ;;
-    score)
-        options="--all --only --skip --strict --alpha"
-        words=$(_bandlimit_names noises) files=yes
-        ;;
-    compare)
-        options="--format"
-        words=$(_bandlimit_names noises) files=yes
-        ;;
-    alias)
-        options="--view --method --filter --size --pixel --cache"
+    list) options="--names" ;;
+    show) options="--plot" ;;
+    eval) options="--components" ;;
+    render) options="--width --height --scale --at --normal --range --bits --components" ;;
+    spectrum) options="$spectral --band --autocorrelation" ;;
+    histogram) options="--samples --bins --range --level" ;;
+    check) options="$spectral --band --leak --guard --claims --alpha" ;;
+    score) options="--all --only --skip --strict --alpha" ;;
+    alias) options="--view --method --filter --size --pixel --cache" ;;
+    trade) options="--trade --view" ;;
+    advise) options="--view --tolerance --largest --method --filter --size" ;;
+    compare | reproduce) options="--format" ;;
+    bench) options="--check" ;;
+    esac
+    case $verb in
+    "" | help) words=$verbs ;;
+    version) ;;
+    list) words="noises primitives filters textures sources views methods trades properties figures verbs" ;;
+    show) words=$("${COMP_WORDS[0]}" list --names 2>/dev/null) ;;
+    reproduce) words=$(_bandlimit_names figures) ;;
+    alias | trade | advise)
         words="$(_bandlimit_names textures) $(_bandlimit_names primitives) $(_bandlimit_names noises)"
-        files=yes
+        [[ $verb == trade ]] && words+=" spectrum"
         ;;
-    trade)
-        options="--trade --view"
-        words="spectrum $(_bandlimit_names textures) $(_bandlimit_names primitives) $(_bandlimit_names noises)"
-        ;;
-    advise)
-        options="--view --tolerance --largest --method --filter --size"
-        words="$(_bandlimit_names textures) $(_bandlimit_names primitives) $(_bandlimit_names noises)"
-        ;;
-    reproduce)
-        options="--format"
-        words=$(_bandlimit_names figures)
-        ;;
-    bench)
-        options="--check"
-        words=$(_bandlimit_names noises)
-        ;;
-    help) words=$verbs ;;
+    *) words=$(_bandlimit_names noises) ;;
+    esac
+    case $verb in
+    show | eval | render | spectrum | histogram | check | score | compare | alias) files=yes ;;
     esac
     if [[ $current == -* ]]; then
         COMPREPLY=($(compgen -W "$options $common" -- "$current"))

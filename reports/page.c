@@ -70,21 +70,22 @@ static bl_status put_picture(FILE *out, const char *folder, const bl_run_picture
     return status;
 }
 
+static void put_pair(FILE *out, const char *name, const char *text) {
+    bl_html_tagged(out, "<dt>", name, "</dt>");
+    bl_html_tagged(out, "<dd>", text, "</dd>\n");
+}
+
 static void put_words(FILE *out, const bl_term *words) {
     fputs("<dl>\n", out);
-    for (; words->name; words++) {
-        bl_html_tagged(out, "<dt>", words->name, "</dt>");
-        bl_html_tagged(out, "<dd>", words->meaning, "</dd>\n");
-    }
+    for (; words->name; words++)
+        put_pair(out, words->name, words->meaning);
     fputs("</dl>\n", out);
 }
 
 static void put_settings(FILE *out, const bl_run_record *record) {
     fputs("<h3>Settings</h3>\n<dl>\n", out);
-    for (size_t i = 0; i < record->setting_count; i++) {
-        bl_html_tagged(out, "<dt>", record->settings[i].name, "</dt>");
-        bl_html_tagged(out, "<dd>", record->settings[i].text, "</dd>\n");
-    }
+    for (size_t i = 0; i < record->setting_count; i++)
+        put_pair(out, record->settings[i].name, record->settings[i].text);
     fputs("</dl>\n", out);
 }
 

@@ -9,22 +9,7 @@
 #include "core/version.h"
 #include "reports/output.h"
 
-size_t bl_trade_front(const bl_alternatives *alternatives, size_t *order) {
-    const bl_alternative *list = alternatives->list;
-    size_t count = 0;
-    for (size_t i = 0; i < alternatives->count; i++) {
-        size_t k = count;
-        if (!list[i].front)
-            continue;
-        for (; k > 0 && list[order[k - 1]].ns > list[i].ns; k--)
-            order[k] = order[k - 1];
-        order[k] = i;
-        count++;
-    }
-    return count;
-}
-
-double bl_trade_log_error(const bl_alternative *alternative) {
+static double log_error(const bl_alternative *alternative) {
     return alternative->error.value > 0 ? log10(alternative->error.value) : NAN;
 }
 
@@ -34,7 +19,7 @@ void bl_trade_plot_describe(const bl_trade *trade, const bl_alternatives *altern
     int without = 0; // errors
     for (size_t i = 0; i < alternatives->count; i++) {
         const bl_alternative *a = &alternatives->list[i];
-        const double drawn[2] = {a->ns, bl_trade_log_error(a)};
+        const double drawn[2] = {a->ns, log_error(a)};
         without |= a->error.value <= 0;
         for (int k = 0; k < 2 && a->ns > 0 && isfinite(drawn[1]); k++) {
             least[k] = fmin(least[k], drawn[k]);
@@ -76,7 +61,7 @@ void bl_trade_plot_describe(const bl_trade *trade, const bl_alternatives *altern
 }
 
 static void find_log_error(const bl_table *table, size_t row, bl_cell *cell) {
-    cell->value = bl_trade_log_error((const bl_alternative *)table->rows + row);
+    cell->value = log_error((const bl_alternative *)table->rows + row);
 }
 
 #define AT(member) .offset = offsetof(bl_alternative, member)
@@ -94,6 +79,23 @@ static const bl_field fields[] = {
 bl_table bl_trade_table(const bl_alternatives *alternatives) {
     bl_table table = BL_TABLE(fields, alternatives->list, alternatives->count);
     table.level = 0.95;
+    return table;
+}
+
+bl_table bl_trade_front(const bl_alternatives *alternatives, bl_alternative *rows) {
+    const bl_alternative *list = alternatives->list;
+    bl_table table = bl_trade_table(alternatives);
+    table.rows = rows;
+    table.count = 0;
+    for (size_t i = 0; i < alternatives->count; i++) {
+        size_t k = table.count;
+        if (!list[i].front)
+            continue;
+        for (; k > 0 && rows[k - 1].ns > list[i].ns; k--)
+            rows[k] = rows[k - 1];
+        rows[k] = list[i];
+        table.count++;
+    }
     return table;
 }
 
@@ -117,18 +119,12 @@ static bl_status write_table(const bl_trade *trade, const char *subject, const c
 static bl_status write_front(const bl_trade *trade, const char *subject, const char *folder,
                              const bl_alternatives *alternatives, bl_message *message) {
     char name[96];
-    size_t *order = malloc((alternatives->count + 1) * sizeof *order);
     bl_alternative *rows = malloc((alternatives->count + 1) * sizeof *rows);
-    bl_table table = bl_trade_table(alternatives);
+    if (!rows)
+        return bl_report(message, BL_DEVICE, "out of memory for '%s'", folder);
+    const bl_table table = bl_trade_front(alternatives, rows);
     snprintf(name, sizeof name, "%s-front", trade->name);
-    table.rows = rows;
-    table.count = order && rows ? bl_trade_front(alternatives, order) : 0;
-    for (size_t i = 0; i < table.count; i++)
-        rows[i] = alternatives->list[order[i]];
-    bl_status status = order && rows
-                           ? write_table(trade, subject, folder, name, &table, message)
-                           : bl_report(message, BL_DEVICE, "out of memory for '%s'", folder);
-    free(order);
+    bl_status status = write_table(trade, subject, folder, name, &table, message);
     free(rows);
     return status;
 }

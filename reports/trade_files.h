@@ -10,6 +10,8 @@
 
 // The alternatives as a table; valid as long as they are.
 bl_table bl_trade_table(const bl_alternatives *alternatives);
+// Those on the front in the order of their cost, in `rows`, which has room for all.
+bl_table bl_trade_front(const bl_alternatives *alternatives, bl_alternative *rows);
 
 // A plot and all that it points to.
 typedef struct bl_trade_plot {
@@ -25,17 +27,10 @@ typedef struct bl_trade_plot {
 void bl_trade_plot_describe(const bl_trade *trade, const bl_alternatives *alternatives,
                             const char *name, bl_trade_plot *plot);
 
-// The logarithm of base 10 of an error; NAN for none.
-double bl_trade_log_error(const bl_alternative *alternative);
-
 // Writes NAME.csv, NAME-front.csv, NAME.gp, NAME.svg and NAME.png for a trade of this subject into
 // the folder, which it makes. Errors: BL_DEVICE.
 bl_status bl_trade_files_write(const bl_trade *trade, const char *subject,
                                const bl_alternatives *alternatives, const char *folder,
                                bl_message *message);
-
-// The alternatives on the front in the order of their cost; `order` has room for all. Returns how
-// many there are.
-size_t bl_trade_front(const bl_alternatives *alternatives, size_t *order);
 
 #endif

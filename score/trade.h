@@ -2,7 +2,7 @@
 //
 // Cost against error: the contract of a trade, and the registry of all trades.
 //
-// A trade is one file in aliasing/trades/, which ends with one descriptor, and one line in
+// A trade is one file in score/trades/, which ends with one descriptor, and one line in
 // trades.def. It knows the alternatives for one choice (the kernel table of a convolution, the
 // precision of a noise, the filter of a texture, the samples of an estimate), and gives each one's
 // error against the best that can be had, and a function that the harness times: all alternatives

@@ -120,32 +120,14 @@ static const choice choices[] = {
 
 // --- the figure ---------------------------------------------------------------------------------
 
-static void find_log_error(const bl_table *table, size_t row, bl_cell *cell) {
-    cell->value = bl_trade_log_error((const bl_alternative *)table->rows + row);
-}
-
-#define AT(member) .offset = offsetof(bl_alternative, member)
-static const bl_field fields[] = {{"alternative", NULL, BL_CELL_WORD, AT(name)},
-                                  {"error", NULL, BL_CELL_ESTIMATE, AT(error)},
-                                  {"largest_error", NULL, BL_CELL_REAL, AT(largest)},
-                                  {"ns_per_sample", NULL, BL_CELL_ESTIMATE, AT(ns)},
-                                  {"log10_error", NULL, BL_CELL_REAL, .find = find_log_error},
-                                  {0}};
-#undef AT
-
 static void draw(bl_run *run, const choice *made, const bl_trade *trade,
                  const bl_alternatives *all) {
     static const char what[] = "cost against error of the alternatives";
-    size_t *order = bl_run_memory(run, all->count, sizeof *order);
-    bl_alternative *front = bl_run_memory(run, all->count, sizeof *front);
-    bl_table table = {fields, all->list, all->count, sizeof *all->list, .level = 0.95};
+    bl_alternative *rows = bl_run_memory(run, all->count, sizeof *rows);
+    const bl_table table = bl_trade_table(all), front = bl_trade_front(all, rows);
     bl_trade_plot plot;
     bl_run_table(run, trade->name, what, &table);
-    table.rows = front;
-    table.count = bl_trade_front(all, order);
-    for (size_t i = 0; i < table.count; i++)
-        front[i] = all->list[order[i]];
-    bl_run_table(run, bl_run_text(run, "%s-front", trade->name), what, &table);
+    bl_run_table(run, bl_run_text(run, "%s-front", trade->name), what, &front);
     bl_trade_plot_describe(trade, all, trade->name, &plot);
     bl_run_plot(run, trade->name, &plot.plot, made->alternative);
 }
@@ -163,7 +145,7 @@ static void release(void *thing) {
 static void run_choice(bl_run *run, const choice *made) {
     const bl_trade_settings settings = {.seed = bl_run_settings(run)->seed,
                                         .threads = bl_run_settings(run)->threads,
-                                        .size = (int)bl_run_pick(run, 0, 1, 2)};
+                                        .size = bl_run_settings(run)->size};
     const bl_signal *subject = bl_run_signal(run, made->subject);
     opened *o = bl_run_memory(run, 1, sizeof *o);
     o->trade = bl_trade_find(made->trade);
