@@ -14,9 +14,7 @@
 static bl_status read_names(const char *const *only, uint64_t *wanted, bandlimit_message *message) {
     *wanted = only ? 0 : (UINT64_C(1) << bl_property_count()) - 1;
     for (; only && *only; only++) {
-        size_t i = 0;
-        while (i < bl_property_count() && strcmp(bl_property_at(i)->name, *only) != 0)
-            i++;
+        size_t i = bl_property_index(*only);
         if (i == bl_property_count())
             return bl_registry_report(&bl_properties, *only, NULL, bl_api_message(message));
         *wanted |= UINT64_C(1) << i;

@@ -37,9 +37,7 @@ static bl_status read_names(bl_call *call, const char *option, const char *list,
         return bl_report(&call->message, BL_DEVICE, "out of memory");
     for (char *word = strtok_r(copy, ",", &rest); word && status == BL_OK;
          word = strtok_r(NULL, ",", &rest)) {
-        size_t i = 0;
-        while (i < bl_property_count() && strcmp(bl_property_at(i)->name, word) != 0)
-            i++;
+        size_t i = bl_property_index(word);
         if (i == bl_property_count())
             status = report_unknown(call, option, word);
         else

@@ -214,7 +214,7 @@ static const bl_attribute *attributes_of(bl_run *run, const bl_image *image, siz
     return attributes;
 }
 
-void bl_run_image(bl_run *run, const char *name, const bl_image *image) {
+const char *bl_run_image(bl_run *run, const char *name, const bl_image *image) {
     static const char *const endings[] = {"exr", "png"};
     bl_image full = *image;
     full.attributes = attributes_of(run, image, &full.attribute_count);
@@ -223,6 +223,7 @@ void bl_run_image(bl_run *run, const char *name, const bl_image *image) {
         bl_run_must(run, bl_image_write(path, &full, run->message));
         add_file(run, name, endings[i]);
     }
+    return run->result.files[run->result.file_count - 1];
 }
 
 void bl_run_claim(bl_run *run, const bl_claim *claim) {

@@ -91,8 +91,9 @@ void bl_run_table(bl_run *run, const char *name, const char *what, const bl_tabl
 // shows, for those who cannot see it.
 void bl_run_plot(bl_run *run, const char *name, const bl_plot *plot, const char *alternative);
 
-// Writes NAME.exr with the values and NAME.png for the eye. The settings become attributes.
-void bl_run_image(bl_run *run, const char *name, const bl_image *image);
+// Writes NAME.exr with the values and NAME.png for the eye, whose file it returns, for a panel. The
+// settings become attributes.
+const char *bl_run_image(bl_run *run, const char *name, const bl_image *image);
 
 // Judges a claim and keeps it. Its texts are not copied: literals, or made by bl_run_text.
 void bl_run_claim(bl_run *run, const bl_claim *claim);

@@ -19,6 +19,13 @@ const bl_registry bl_properties = {"property", "properties", list, sizeof list /
 _Static_assert(sizeof list / sizeof *list <= (size_t)BL_SCORE_PROPERTIES,
                "a score holds every property");
 
+size_t bl_property_index(const char *name) {
+    size_t i = 0;
+    while (i < bl_property_count() && strcmp(bl_property_at(i)->name, name) != 0)
+        i++;
+    return i;
+}
+
 bl_status bl_score_measure(const bl_score_subject *subject, const bl_score_settings *settings,
                            uint64_t wanted, bl_score *score, bl_message *message) {
     bl_score_settings share = *settings;

@@ -100,6 +100,8 @@ typedef struct bl_property {
     const bl_property bl_property_##stem
 
 BL_REGISTRY(bl_property, bl_property, bl_properties)
+// The index of a name, where a score holds what was found; their count for an unknown one.
+size_t bl_property_index(const char *name);
 
 typedef struct bl_score {
     bl_score_property properties[BL_SCORE_PROPERTIES]; // in the order of the registry

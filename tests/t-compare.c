@@ -116,6 +116,17 @@ static const char *function(const char *name) {
     return text;
 }
 
+// Fails unless a file of the folder has the words.
+static void expect_in(const char *folder, const char *name, const char *words) {
+    char path[400];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    char *text = bl_temporary_read(path, NULL);
+    assert_non_null(text);
+    if (!strstr(text, words))
+        fail_msg("%s lacks '%s'", name, words);
+    free(text);
+}
+
 static void test_a_constant_has_graphs_and_a_reason_for_what_it_lacks(void **state) {
     (void)state;
     static const char *const expected[] = {"no histogram of", "no spectrum along a line of",
@@ -123,37 +134,20 @@ static void test_a_constant_has_graphs_and_a_reason_for_what_it_lacks(void **sta
     char folder[300], path[400];
     snprintf(folder, sizeof folder, "%s", bl_temporary_path("constant"));
     json_decref(RUN_JSON("compare", function("constant"), "--quick", "-o", folder, "--json"));
-    snprintf(path, sizeof path, "%s/index.html", folder);
-    char *page = bl_temporary_read(path, NULL);
-    assert_non_null(page);
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++)
-        if (!strstr(page, expected[i]))
-            fail_msg("the page lacks '%s'", expected[i]);
-    free(page);
-    snprintf(path, sizeof path, "%s/compare-line/graphs.gp", folder);
-    char *script = bl_temporary_read(path, NULL);
-    assert_non_null(script);
-    assert_non_null(strstr(script, "set yrange [-0.899999999:1.1]"));
-    free(script);
+        expect_in(folder, "index.html", expected[i]);
+    expect_in(folder, "compare-line/graphs.gp", "set yrange [-0.899999999:1.1]");
     snprintf(path, sizeof path, "%s/compare-histogram/histograms.svg", folder);
     assert_int_not_equal(access(path, F_OK), 0); // no empty picture
 }
 
 static void test_the_legend_has_the_closed_form_that_a_later_panel_shows(void **state) {
     (void)state;
-    char folder[300], path[400];
+    char folder[300];
     snprintf(folder, sizeof folder, "%s", bl_temporary_path("legend"));
     json_decref(RUN_JSON("compare", function("full"), "gnoise", "--quick", "-o", folder, "--json"));
-    snprintf(path, sizeof path, "%s/compare-spectrum/spectra-line.gp", folder);
-    char *script = bl_temporary_read(path, NULL);
-    assert_non_null(script);
-    assert_non_null(strstr(script, "closed form"));
-    free(script);
-    snprintf(path, sizeof path, "%s/index.html", folder);
-    char *page = bl_temporary_read(path, NULL);
-    assert_non_null(page);
-    assert_non_null(strstr(page, "closed form</span>"));
-    free(page);
+    expect_in(folder, "compare-spectrum/spectra-line.gp", "closed form");
+    expect_in(folder, "index.html", "closed form</span>");
 }
 
 static void test_what_is_no_number_is_told_before_anything_is_made(void **state) {

@@ -22,21 +22,14 @@ static const char *const names[] = {"period", "stationarity", "isotropy", "conti
                                     "seeds",  "far",          "gradient"};
 enum { COUNT = sizeof names / sizeof *names };
 
-static size_t index_of(const char *name) {
-    for (size_t i = 0; i < bl_property_count(); i++)
-        if (strcmp(bl_property_at(i)->name, name) == 0)
-            return i;
-    fail_msg("no property %s", name);
-    return 0;
-}
-
 static bl_score_property measure(const bl_signal *signal, const char *name, bl_size size,
                                  uint64_t seed, double alpha, int threads) {
     bl_score_settings settings = bl_score_default_settings();
     bl_score_subject subject = {.signal = signal};
     bl_message message = {""};
     static bl_score score;
-    size_t index = index_of(name);
+    const size_t index = bl_property_index(name);
+    assert_true(index < bl_property_count());
     settings.size = size;
     settings.seed = seed;
     settings.alpha = alpha;

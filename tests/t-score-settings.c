@@ -19,14 +19,6 @@ static const char *const names[] = {"range",    "band",       "period", "station
                                     "isotropy", "continuity", "far",    "gradient"};
 enum { COUNT = sizeof names / sizeof *names };
 
-static size_t index_of(const char *name) {
-    for (size_t i = 0; i < bl_property_count(); i++)
-        if (strcmp(bl_property_at(i)->name, name) == 0)
-            return i;
-    fail_msg("no property %s", name);
-    return 0;
-}
-
 // Returns the number of failing claims, which it prints.
 static unsigned check(const char *text, const char *name) {
     static bl_score score;
@@ -34,8 +26,9 @@ static unsigned check(const char *text, const char *name) {
     bl_message message = {""};
     bl_signal *signal = bl_test_open(text, BL_ISA_BEST);
     bl_score_subject subject = {.signal = signal};
-    size_t index = index_of(name);
+    const size_t index = bl_property_index(name);
     unsigned failures = 0;
+    assert_true(index < bl_property_count());
     settings.size = BL_QUICK;
     settings.alpha = ALPHA;
     settings.threads = 1; // a busy machine makes many threads slow

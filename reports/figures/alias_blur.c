@@ -191,18 +191,19 @@ static void draw_rows(bl_run *run) {
 
 // --- pictures ------------------------------------------------------------------------------------
 
-static void draw_picture(bl_run *run, const char *key, const bl_alias_row *row, size_t pixels) {
+static const char *draw_picture(bl_run *run, const char *key, const bl_alias_row *row,
+                                size_t pixels) {
     float *values = bl_run_memory(run, 3 * pixels * pixels, sizeof *values);
     for (size_t i = 0; i < 3 * pixels * pixels; i++)
         values[i] = (float)row->image[i];
-    bl_run_image(run, key,
-                 &(bl_image){.width = pixels,
-                             .height = pixels,
-                             .channels = 3,
-                             .values = values,
-                             .spacing = 1,
-                             .white = 1,
-                             .srgb = 1});
+    return bl_run_image(run, key,
+                        &(bl_image){.width = pixels,
+                                    .height = pixels,
+                                    .channels = 3,
+                                    .values = values,
+                                    .spacing = 1,
+                                    .white = 1,
+                                    .srgb = 1});
 }
 
 static void draw_pictures(bl_run *run, const bl_alias_result *const *all) {
@@ -211,10 +212,9 @@ static void draw_pictures(bl_run *run, const bl_alias_result *const *all) {
     for (int n = 0; n < SUBJECTS; n++)
         for (int k = 0; k < SHOWN && subjects[n].shown[k]; k++) {
             const bl_alias_row *row = row_of(&subjects[n], all[n], subjects[n].shown[k]);
-            const char *word = subjects[n].ways[row - all[n]->rows].word,
-                       *key = bl_run_text(run, "%s-%d", subjects[n].key, k + 1);
-            draw_picture(run, key, row, pixels);
-            panels[count++] = (bl_panel){.title = word, .image = bl_run_text(run, "%s.png", key)};
+            const char *key = bl_run_text(run, "%s-%d", subjects[n].key, k + 1);
+            panels[count++] = (bl_panel){.title = subjects[n].ways[row - all[n]->rows].word,
+                                         .image = draw_picture(run, key, row, pixels)};
         }
     const bl_plot plot = {.title = "What is left to see?",
                           .x = {"pixels", 0, (double)pixels, (double)pixels / 2},

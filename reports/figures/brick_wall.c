@@ -38,8 +38,8 @@ static const double *take_image(bl_run *run, const bl_wall *wall, const bl_view 
     return rgb;
 }
 
-static void write_image(bl_run *run, const bl_wall *wall, const bl_view *view, const char *method,
-                        const char *name) {
+static const char *write_image(bl_run *run, const bl_wall *wall, const bl_view *view,
+                               const char *method, const char *name) {
     const double *rgb = take_image(run, wall, view, method);
     float *values = bl_run_memory(run, (size_t)SIDE * SIDE, sizeof *values);
     for (size_t j = 0; j < SIDE; j++)
@@ -56,17 +56,17 @@ static void write_image(bl_run *run, const bl_wall *wall, const bl_view *view, c
                             .white = 0.52,
                             .attributes = attributes,
                             .attribute_count = 3};
-    bl_run_image(run, name, &image);
+    return bl_run_image(run, name, &image);
 }
 
 void bl_wall_draw(bl_run *run, const bl_wall *wall, const char *method, const char *name,
                   const char *title, const char *alternative) {
-    const char *flat = bl_run_text(run, "%s-flat", name);
-    const char *plane = bl_run_text(run, "%s-plane", name);
-    write_image(run, wall, wall->flat, method, flat);
-    write_image(run, wall, wall->perspective, method, plane);
-    const bl_panel panels[] = {{"straight ahead", NULL, 0, bl_run_text(run, "%s.png", flat)},
-                               {"in perspective", NULL, 0, bl_run_text(run, "%s.png", plane)}};
+    const char *flat =
+        write_image(run, wall, wall->flat, method, bl_run_text(run, "%s-flat", name));
+    const char *plane =
+        write_image(run, wall, wall->perspective, method, bl_run_text(run, "%s-plane", name));
+    const bl_panel panels[] = {{"straight ahead", NULL, 0, flat},
+                               {"in perspective", NULL, 0, plane}};
     const bl_plot plot = {.title = title,
                           .x = {"pixels", 0, BL_WALL_PIXELS, 32, 0},
                           .y = {"pixels", BL_WALL_PIXELS, 0, 32, 0},

@@ -30,8 +30,8 @@ static void span_deviations(const float *values, size_t count, double deviations
     *white = moments.mean + (half > 0 ? half : 1);
 }
 
-static void write_slice(bl_run *run, const bl_gallery *gallery, size_t index,
-                        const bl_gallery_slices *slices, const float *values) {
+static const char *write_slice(bl_run *run, const bl_gallery *gallery, size_t index,
+                               const bl_gallery_slices *slices, const float *values) {
     double black = slices->black, white = slices->white;
     if (slices->deviations > 0)
         span_deviations(values, slices->pixels * slices->pixels, slices->deviations, &black,
@@ -45,14 +45,16 @@ static void write_slice(bl_run *run, const bl_gallery *gallery, size_t index,
                             .white = white,
                             .attributes = &signal,
                             .attribute_count = 1};
-    bl_run_image(run, bl_run_text(run, "%s-%s", gallery->key[index], slices->name), &image);
+    return bl_run_image(run, bl_run_text(run, "%s-%s", gallery->key[index], slices->name), &image);
 }
 
-static void plot_slices(bl_run *run, const bl_gallery *gallery, const bl_gallery_slices *slices) {
+static void plot_slices(bl_run *run, const bl_gallery *gallery, const bl_gallery_slices *slices,
+                        const float *values) {
     bl_panel *panels = bl_run_memory(run, gallery->count, sizeof *panels);
     for (size_t i = 0; i < gallery->count; i++) {
         panels[i].title = gallery->label[i];
-        panels[i].image = bl_run_text(run, "%s-%s.png", gallery->key[i], slices->name);
+        panels[i].image =
+            write_slice(run, gallery, i, slices, values + i * slices->pixels * slices->pixels);
     }
     const char *unit = slices->unit;
     const bl_plot plot = {
@@ -99,7 +101,5 @@ void bl_gallery_draw_slices(bl_run *run, const bl_gallery *gallery,
     }
     if (slices.black == slices.white)
         find_range(values, gallery->count * pixels, &slices.black, &slices.white);
-    for (size_t i = 0; i < gallery->count; i++)
-        write_slice(run, gallery, i, &slices, values + i * pixels);
-    plot_slices(run, gallery, &slices);
+    plot_slices(run, gallery, &slices, values);
 }

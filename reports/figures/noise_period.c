@@ -185,9 +185,8 @@ static void draw_wide(bl_run *run, const bl_gallery *gallery) {
                                 .black = -white,
                                 .white = white};
         block_means(run, gallery->signal[i], values);
-        bl_run_image(run, bl_run_text(run, "%s-wide", gallery->key[i]), &image);
         panels[i].title = gallery->label[i];
-        panels[i].image = bl_run_text(run, "%s-wide.png", gallery->key[i]);
+        panels[i].image = bl_run_image(run, bl_run_text(run, "%s-wide", gallery->key[i]), &image);
     }
     const bl_plot plot = {
         .title = "What do 768 cells look like from far away, with a table of 256 and with a hash?",

@@ -70,12 +70,6 @@ static void claim_geometry(bl_run *run, const float *values, const bl_summed_are
 
 // --- pictures -----------------------------------------------------------------------------------
 
-static void write_panel(bl_run *run, const char *name, const float *values) {
-    const bl_image image = {
-        .width = SIDE, .height = SIDE, .values = values, .spacing = 1, .black = 0, .white = 1};
-    bl_run_image(run, name, &image);
-}
-
 // The box that is shown, and what the rest of the image is dimmed to.
 enum { LEFT = 30, TOP = 24, RIGHT = 66, BOTTOM = 60, PANELS = 4 };
 static const float dimmed = 0.3F;
@@ -98,9 +92,10 @@ static void draw(bl_run *run, const float *values, const bl_summed_area *table) 
         panel[3][n] = (float)(bl_summed_area_mean(table, i + 0.5, j + 0.5, size) / 255);
     }
     for (int k = 0; k < PANELS; k++) {
-        write_panel(run, names[k], panel[k]);
+        const bl_image image = {
+            .width = SIDE, .height = SIDE, .values = panel[k], .spacing = 1, .white = 1};
         panels[k].title = titles[k];
-        panels[k].image = bl_run_text(run, "%s.png", names[k]);
+        panels[k].image = bl_run_image(run, names[k], &image);
     }
     const bl_plot plot = {.x = {.label = "s, pixels", .to = SIDE, .tick = 24},
                           .y = {.label = "t, pixels", .from = SIDE, .tick = 24},

@@ -34,7 +34,7 @@ static void draw_pixel(const bl_shown *shown, const bl_signal *signal, int upwar
 }
 
 // All panels of a plot have the same numbers of pixels: coarse ones are drawn as squares.
-static void draw_one(bl_run *run, const bl_pictures *set, const bl_shown *shown) {
+static const char *draw_one(bl_run *run, const bl_pictures *set, const bl_shown *shown) {
     const bl_signal *signal = shown->signal ? shown->signal : bl_run_signal(run, shown->text);
     const unsigned full = set->pixels, pixels = shown->pixels ? shown->pixels : full;
     const unsigned times = full / pixels;
@@ -56,15 +56,24 @@ static void draw_one(bl_run *run, const bl_pictures *set, const bl_shown *shown)
                             .srgb = 1,
                             .attributes = &attribute,
                             .attribute_count = 1};
-    bl_run_image(run, shown->key, &image);
+    const char *file = bl_run_image(run, shown->key, &image);
     bl_run_release(run, values);
+    return file;
 }
 
-static void plot_all(bl_run *run, const bl_pictures *pictures) {
+void bl_pictures_draw(bl_run *run, const bl_pictures *pictures) {
     bl_panel *panels = bl_run_memory(run, pictures->count, sizeof *panels);
-    for (size_t i = 0; i < pictures->count; i++)
-        panels[i] = (bl_panel){.title = pictures->shown[i].title,
-                               .image = bl_run_text(run, "%s.png", pictures->shown[i].key)};
+    bl_run_step(run, "pictures");
+    for (size_t i = 0; i < pictures->count; i++) {
+        bl_shown shown = pictures->shown[i];
+        if (!(shown.scale > 0)) {
+            memcpy(shown.at, pictures->at, sizeof shown.at);
+            shown.scale = pictures->scale;
+        }
+        bl_run_setting(run, bl_run_text(run, "picture %s", shown.key),
+                       shown.text ? shown.text : shown.signal->text);
+        panels[i] = (bl_panel){.title = shown.title, .image = draw_one(run, pictures, &shown)};
+    }
     const bl_plot plot = {
         .title = pictures->title,
         .x = {bl_run_text(run, "s, %s", pictures->unit), 0, 1, 0.25, 0},
@@ -77,19 +86,4 @@ static void plot_all(bl_run *run, const bl_pictures *pictures) {
         .coloured = 1,
         .pixel = 1.0 / pictures->pixels};
     bl_run_plot(run, pictures->name, &plot, pictures->alternative);
-}
-
-void bl_pictures_draw(bl_run *run, const bl_pictures *pictures) {
-    bl_run_step(run, "pictures");
-    for (size_t i = 0; i < pictures->count; i++) {
-        bl_shown shown = pictures->shown[i];
-        if (!(shown.scale > 0)) {
-            memcpy(shown.at, pictures->at, sizeof shown.at);
-            shown.scale = pictures->scale;
-        }
-        bl_run_setting(run, bl_run_text(run, "picture %s", shown.key),
-                       shown.text ? shown.text : shown.signal->text);
-        draw_one(run, pictures, &shown);
-    }
-    plot_all(run, pictures);
 }
