@@ -57,13 +57,11 @@ static json_t *outcomes_json(const size_t *outcomes) {
 }
 
 static json_t *figure_json(const bl_figure_result *result) {
-    json_t *object = json_object(), *files = json_array();
+    json_t *object = json_object();
     bl_json_set_text(object, "name", result->figure->name);
     bl_json_set_text(object, "paper", result->figure->paper);
     bl_json_set_text(object, "folder", result->folder);
-    for (size_t i = 0; i < result->file_count; i++)
-        json_array_append_new(files, bl_json_text(result->files[i]));
-    json_object_set_new(object, "files", files);
+    json_object_set_new(object, "files", bl_json_texts(result->files, result->file_count));
     json_object_set_new(
         object, "claims",
         bl_table_json(&BL_TABLE(claim_fields, result->claims, result->claim_count)));

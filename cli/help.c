@@ -132,12 +132,8 @@ static json_t *options_json(const bl_option *options, const bl_verb *verb) {
         bl_json_set_text(entry, "letter", option->letter ? letter : NULL);
         bl_json_set_text(entry, "value", option->value);
         bl_json_set_text(entry, "default", option->fallback);
-        if (option->choices) {
-            json_t *choices = json_array();
-            for (size_t i = 0; option->choices[i]; i++)
-                json_array_append_new(choices, bl_json_text(option->choices[i]));
-            json_object_set_new(entry, "choices", choices);
-        }
+        if (option->choices)
+            json_object_set_new(entry, "choices", bl_json_texts(option->choices, SIZE_MAX));
         bl_json_set_text(entry, "help", help_of(option, verb));
         json_array_append_new(list, entry);
     }

@@ -4,12 +4,11 @@
 json_t *bl_json_head(const char *name, int argument_count, char *const *arguments) {
     char schema[64];
     snprintf(schema, sizeof schema, "bandlimit.%s/1", name);
-    json_t *object = json_object(), *list = json_array();
+    json_t *object = json_object();
     bl_json_set_text(object, "schema", schema);
     bl_json_set_text(object, "version", BL_VERSION);
-    for (int i = 0; i < argument_count; i++)
-        json_array_append_new(list, bl_json_text(arguments[i]));
-    json_object_set_new(object, "arguments", list);
+    json_object_set_new(object, "arguments",
+                        bl_json_texts((const char *const *)arguments, (size_t)argument_count));
     return object;
 }
 

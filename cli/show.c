@@ -36,12 +36,8 @@ static json_t *parameters_json(const bl_parameter *parameter) {
             bl_json_set_number(object, "minimum", parameter->minimum);
             bl_json_set_number(object, "maximum", parameter->maximum);
         }
-        if (parameter->kind == BL_CHOICE) {
-            json_t *choices = json_array();
-            for (size_t i = 0; parameter->choices[i]; i++)
-                json_array_append_new(choices, bl_json_text(parameter->choices[i]));
-            json_object_set_new(object, "choices", choices);
-        }
+        if (parameter->kind == BL_CHOICE)
+            json_object_set_new(object, "choices", bl_json_texts(parameter->choices, SIZE_MAX));
         bl_json_set_text(object, "help", parameter->help);
         json_array_append_new(list, object);
     }

@@ -44,18 +44,17 @@ static json_t *outcomes_json(const bl_figure_result *result) {
 static json_t *figure_json(const bl_run_record *record, const bl_reproduce_settings *settings) {
     const bl_figure_result *result = record->result;
     const bl_figure *figure = result->figure;
-    json_t *claims = json_array(), *files = json_array();
+    json_t *claims = json_array();
     for (size_t i = 0; i < result->claim_count; i++)
         json_array_append_new(claims, claim_json(&result->claims[i]));
-    for (size_t i = 0; i < result->file_count; i++)
-        json_array_append_new(files, json_string(result->files[i]));
     return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o}",
                      "schema", "bandlimit.figure/1", "version", BL_VERSION, "arguments",
                      settings->arguments ? settings->arguments : "", "figure", figure->name,
                      "title", figure->title, "question", figure->question, "paper", figure->paper,
                      "shows", figure->shows, "size", bl_size_word(settings->size), "seed",
                      bl_json_count(settings->seed), "settings", settings_json(record), "verdicts",
-                     outcomes_json(result), "claims", claims, "files", files);
+                     outcomes_json(result), "claims", claims, "files",
+                     bl_json_texts(result->files, result->file_count));
 }
 
 bl_status bl_run_write_json(const bl_run_record *record, const bl_reproduce_settings *settings,

@@ -29,6 +29,13 @@ json_t *bl_json_text(const char *text) {
     return replaced;
 }
 
+json_t *bl_json_texts(const char *const *texts, size_t most) {
+    json_t *list = json_array();
+    for (size_t i = 0; i < most && texts[i]; i++)
+        json_array_append_new(list, bl_json_text(texts[i]));
+    return list;
+}
+
 json_t *bl_json_number(double number) {
     return isfinite(number) ? json_real(number + 0.0) : json_null();
 }

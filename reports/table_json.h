@@ -19,6 +19,8 @@ void bl_record_json(json_t *object, const bl_table *table, size_t row);
 
 // Text, with bytes that are not UTF-8 replaced by U+FFFD; null for NULL.
 json_t *bl_json_text(const char *text);
+// An array of so many texts, or as many as stand before a NULL.
+json_t *bl_json_texts(const char *const *texts, size_t most);
 // A number, or null if it is not finite.
 json_t *bl_json_number(double number);
 // An integer, or text above 2^63 - 1.
