@@ -11,6 +11,14 @@ const bl_parameter *bl_definition_seed(const bl_definition *definition) {
     return NULL;
 }
 
+static unsigned own_dimensions(const bl_definition *definition, const void *block) {
+    uint32_t dimensions = definition->dimensions;
+    for (const bl_parameter *p = definition->parameters; p->key; p++)
+        if (p->kind == BL_INTEGER && strcmp(p->key, "dims") == 0)
+            memcpy(&dimensions, (const char *)block + p->offset, sizeof dimensions);
+    return dimensions;
+}
+
 // Makes the signal of a block that was read.
 static bl_status make_signal(const bl_definition *definition, const void *block, bl_opener *open,
                              bl_signal **signal, bl_message *message) {
@@ -30,7 +38,7 @@ static bl_status make_signal(const bl_definition *definition, const void *block,
     if (seed)
         made->seed_offset = seed->offset;
     made->dimensions = definition->dimensions_of ? definition->dimensions_of(made->parameters)
-                                                 : definition->dimensions;
+                                                 : own_dimensions(definition, made->parameters);
     made->name = definition->name;
     definition->describe(made->parameters, &made->facts);
     made->closed_form =

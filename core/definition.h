@@ -24,7 +24,7 @@ typedef struct bl_definition {
     const bl_parameter *parameters;
     size_t parameters_size; // of the flat parameter block
     // Optional: the dimensions with these parameters, and with what functions.build made of them;
-    // NULL: always those above.
+    // NULL: what the key `dims` says, and without one always those above.
     unsigned (*dimensions_of)(const void *parameters);
     // Optional: whether the parameters fit together; the message names the keys. Errors: BL_USAGE.
     bl_status (*validate)(const void *parameters, bl_message *message);

@@ -124,15 +124,16 @@ void bl_signal_row(const bl_signal *signal, const double start[BL_AXES], const d
         signal->functions->row(signal->parameters, start, step, count, out);
         return;
     }
-    double at[BL_AXES][BL_BATCH], value[BL_BATCH];
+    double at[BL_AXES][BL_BATCH];
+    const double *const columns[BL_AXES] = {at[0], at[1], at[2], at[3]};
     for (size_t done = 0, here; done < count; done += here) {
         here = count - done < BL_BATCH ? count - done : BL_BATCH;
+        const double first = (double)done; // exact to 2^53 samples
+        const int samples = (int)here;
         for (int a = 0; a < BL_AXES; a++)
-            for (size_t i = 0; i < here; i++)
-                at[a][i] = start[a] + (double)(done + i) * step[a];
-        bl_signal_values(signal, (const double *const[]){at[0], at[1], at[2], at[3]}, here, value);
-        for (size_t i = 0; i < here; i++)
-            out[done + i] = (float)value[i];
+            for (int i = 0; i < samples; i++)
+                at[a][i] = start[a] + (first + i) * step[a];
+        bl_signal_points(signal, columns, here, out + done);
     }
 }
 

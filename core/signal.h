@@ -24,7 +24,7 @@ typedef bl_status bl_opener(const char *text, bl_signal **signal, bl_message *me
 // The abilities. A function gets the signal's parameter block; the ones marked optional may be
 // NULL.
 typedef struct bl_signal_functions {
-    // Optional, like `points`: without them the rows are the values, rounded to float.
+    // Optional, as `points`: without it a row is its points, and these are values made float.
     // Fills out[i] with the value at start + i*step, each coordinate computed in double as
     // start[a] + (double)i * step[a]. NaN, infinite or too large coordinates give NaN.
     void (*row)(const void *parameters, const double start[BL_AXES], const double step[BL_AXES],

@@ -91,6 +91,20 @@ double bl_periods(double x, double period);
     }
 #define BL_PRIMITIVE_FUNCTIONS .values = values, .filtered = filtered
 
+// Its `validate`, where all there is to check is that averages are known on a span of the function
+// (bl_check_averaging), an expression in which p is the block.
+#define BL_PRIMITIVE_VALIDATE(block, span)                                                         \
+    static bl_status validate(const void *parameters, bl_message *message) {                       \
+        const block *p = parameters;                                                               \
+        return bl_check_averaging(bl_filter_at(p->averaging.filter), p->averaging.width, span,     \
+                                  message);                                                        \
+    }
+
+// What most definitions have alike: one coordinate, and the file's own `parameters` and `describe`.
+#define BL_PRIMITIVE_PARTS(block)                                                                  \
+    .dimensions = 1, .parameters = parameters, .parameters_size = sizeof(block),                   \
+    .describe = describe, .functions = {BL_PRIMITIVE_FUNCTIONS}
+
 // Names the definition of a primitive's file: BL_PRIMITIVE_DESCRIPTOR(step) = {...};
 #define BL_PRIMITIVE_DESCRIPTOR(stem)                                                              \
     extern const bl_primitive bl_primitive_##stem;                                                 \

@@ -494,11 +494,6 @@ static void gradient(const void *block, const double at[BL_AXES], double out[BL_
 
 // --- facts --------------------------------------------------------------------------------------
 
-static unsigned dimensions_of(const void *block) {
-    const cellular_parameters *p = block;
-    return p->dimensions;
-}
-
 static void describe(const void *block, bl_facts *facts) {
     const cellular_parameters *p = block;
     double size = bound_of(p);
@@ -563,7 +558,6 @@ BL_NOISE_DESCRIPTOR(cellular_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(cellular_parameters),
-    .dimensions_of = dimensions_of,
     .describe = describe,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_VALUES,

@@ -96,6 +96,10 @@ bl_bound bl_bound_sparse_convolution(unsigned table); // any number of impulses 
 void bl_lattice_describe(bl_bound bound, int continuity, const bl_lattice_settings *lattice,
                          bl_facts *facts);
 
+// Whether a noise has the closed form of a lattice without repeats; its parameter block begins with
+// its bl_lattice_settings.
+int bl_lattice_has_closed_form(const void *block);
+
 // In a noise file, after its `static bl_terms terms_of(const void *block)`: the functions
 // `covariance` and `density` of the noise that those terms make.
 #define BL_CLOSED_FORM_OF_TERMS                                                                    \

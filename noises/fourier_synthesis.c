@@ -76,10 +76,6 @@ static void release(void *block) {
     bl_spectrum_table_drop(p->of.table);
 }
 
-static unsigned dimensions_of(const void *block) {
-    return ((const fourier_parameters *)block)->of.tile.dimensions;
-}
-
 static void describe(const void *block, bl_facts *facts) {
     const fourier_parameters *p = block;
     bl_synthesis_describe(&p->of, &p->tile, facts);
@@ -139,7 +135,6 @@ BL_NOISE_DESCRIPTOR(fourier_synthesis) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(fourier_parameters),
-    .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,
     .textbook = textbook,

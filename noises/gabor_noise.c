@@ -254,11 +254,6 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
     }
 }
 
-static void row(const void *block, const double start[BL_AXES], const double step[BL_AXES],
-                size_t count, float *out) {
-    bl_row_by_points(points, block, start, step, 0, count, out);
-}
-
 // --- the plain loop -----------------------------------------------------------------------------
 
 // A generator a cell: eight impulses a cell on average.
@@ -286,10 +281,6 @@ static float textbook(float x, float y, float z) {
 
 // --- what it states -----------------------------------------------------------------------------
 
-static int has_closed_form(const void *block) {
-    return bl_lattice_is_hash(&((const gabor_parameters *)block)->lattice);
-}
-
 static bl_gabor gabor_of(const gabor_parameters *p) {
     bl_gabor gabor = {.frequency = p->frequency,
                       .bandwidth = p->bandwidth,
@@ -316,11 +307,11 @@ static double density(const void *block, const double frequency[BL_AXES]) {
 static void describe(const void *block, bl_facts *facts) {
     const gabor_parameters *p = block;
     facts->mean = 0;
-    if (has_closed_form(block))
+    if (bl_lattice_has_closed_form(block))
         bl_impulses_describe(covariance, p, 2, 2, p->frequency + p->bandwidth, facts);
     else if (bl_lattice_differs_within(&p->lattice, 2, 2))
         facts->variance = covariance(p, (const double[BL_AXES]){0});
-    facts->stationary = has_closed_form(block);
+    facts->stationary = bl_lattice_has_closed_form(block);
     facts->isotropic = facts->stationary && p->kind == KIND_ISOTROPIC;
     bl_bound bound = {9.0 * impulse_count_most(p->impulses, 1) / sqrt(p->impulses),
                       "kernels of size at most 1; the 9 cells in reach times the most impulses of "
@@ -340,7 +331,11 @@ BL_NOISE_DESCRIPTOR(gabor_noise) = {
     .parameters = parameters,
     .parameters_size = sizeof(gabor_parameters),
     .describe = describe,
-    .has_closed_form = has_closed_form,
+    .has_closed_form = bl_lattice_has_closed_form,
     .textbook = textbook,
-    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
+    .functions = {.points = points,
+                  .value = value,
+                  .values = values,
+                  .gradient = gradient,
+                  BL_NOISE_CLOSED_FORM},
 };

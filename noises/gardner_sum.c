@@ -157,11 +157,6 @@ static void points(const void *parameters, const double *const at[BL_AXES], size
     }
 }
 
-static void row(const void *parameters, const double start[BL_AXES], const double step[BL_AXES],
-                size_t count, float *out) {
-    bl_row_by_points(points, parameters, start, step, 0, count, out);
-}
-
 // --- the reference in double --------------------------------------------------------------------
 
 static double wave(double turns, double *slope) {
@@ -316,6 +311,9 @@ BL_NOISE_DESCRIPTOR(gardner_sum) = {
     .textbook = textbook,
     .textbook_settings = "",
     .has_closed_form = has_closed_form,
-    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient,
+    .functions = {.points = points,
+                  .value = value,
+                  .values = values,
+                  .gradient = gradient,
                   .covariance = covariance},
 };

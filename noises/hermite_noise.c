@@ -271,11 +271,6 @@ static bl_terms terms_of(const void *block) {
 
 BL_CLOSED_FORM_OF_TERMS
 
-static int has_closed_form(const void *block) {
-    const hermite_parameters *p = block;
-    return bl_lattice_is_hash(&p->lattice);
-}
-
 static void describe(const void *block, bl_facts *facts) {
     const hermite_parameters *p = block;
     bl_terms terms = terms_of(block);
@@ -320,7 +315,7 @@ BL_NOISE_DESCRIPTOR(hermite_noise) = {
     .parameters = parameters,
     .parameters_size = sizeof(hermite_parameters),
     .describe = describe,
-    .has_closed_form = has_closed_form,
+    .has_closed_form = bl_lattice_has_closed_form,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_VALUES,
     .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},

@@ -88,11 +88,6 @@ static bl_terms terms_of(const void *block) {
 
 BL_CLOSED_FORM_OF_TERMS
 
-static int has_closed_form(const void *block) {
-    const improved_parameters *p = block;
-    return bl_lattice_is_hash(&p->lattice);
-}
-
 static void describe(const void *block, bl_facts *facts) {
     const improved_parameters *p = block;
     bl_terms terms = terms_of(block);
@@ -143,7 +138,7 @@ BL_NOISE_DESCRIPTOR(improved_perlin_noise) = {
     .parameters = parameters,
     .parameters_size = sizeof(improved_parameters),
     .describe = describe,
-    .has_closed_form = has_closed_form,
+    .has_closed_form = bl_lattice_has_closed_form,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_GRADIENTS,
     .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},

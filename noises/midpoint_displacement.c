@@ -72,10 +72,6 @@ static bl_status build(void *block, bl_opener *open, bl_message *message) {
     return bl_displacement_build(&p->of, &p->scale, &p->tile, message);
 }
 
-static unsigned dimensions_of(const void *block) {
-    return ((const midpoint_parameters *)block)->of.tile.dimensions;
-}
-
 static void describe(const void *block, bl_facts *facts) {
     const midpoint_parameters *p = block;
     bl_displacement_describe(&p->of, p->scale, &p->tile, facts);
@@ -105,7 +101,6 @@ BL_NOISE_DESCRIPTOR(midpoint_displacement) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(midpoint_parameters),
-    .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,
     .textbook = textbook,

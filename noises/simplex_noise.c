@@ -97,11 +97,6 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
         points_of(p, 4, at, count, out);
 }
 
-static void row(const void *block, const double start[BL_AXES], const double step[BL_AXES],
-                size_t count, float *out) {
-    bl_row_by_points(points, block, start, step, 0, count, out);
-}
-
 // --- the reference in double --------------------------------------------------------------------
 
 typedef struct simplex_lattice {
@@ -199,11 +194,6 @@ static int has_closed_form(const void *block) {
 // Cells that lie further apart than two kernels reach may share their numbers.
 static int has_variance(const simplex_parameters *p) {
     return p->radius2 == 0 && bl_lattice_differs_within(&p->lattice, p->dimensions, M_SQRT2);
-}
-
-static unsigned dimensions_of(const void *block) {
-    const simplex_parameters *p = block;
-    return p->dimensions;
 }
 
 static bl_status validate(const void *block, bl_message *message) {
@@ -313,10 +303,13 @@ BL_NOISE_DESCRIPTOR(simplex_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(simplex_parameters),
-    .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
-    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
+    .functions = {.points = points,
+                  .value = value,
+                  .values = values,
+                  .gradient = gradient,
+                  BL_NOISE_CLOSED_FORM},
 };

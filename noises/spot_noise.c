@@ -78,10 +78,6 @@ static const bl_parameter parameters[] = {
     {0}};
 #undef AT
 
-static unsigned dimensions_of(const void *block) {
-    return ((const spot_parameters *)block)->dimensions;
-}
-
 // --- the spot -----------------------------------------------------------------------------------
 
 static inline bl_profile profile_of(const uint32_t shape) {
@@ -242,16 +238,7 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
     }
 }
 
-static void row(const void *block, const double start[BL_AXES], const double step[BL_AXES],
-                size_t count, float *out) {
-    bl_row_by_points(points, block, start, step, 0, count, out);
-}
-
 // --- closed forms -------------------------------------------------------------------------------
-
-static int has_closed_form(const void *block) {
-    return bl_lattice_is_hash(&((const spot_parameters *)block)->lattice);
-}
 
 // The size of the spot's volume beside that of radius 1.
 static double volume(const spot_parameters *p) {
@@ -293,12 +280,12 @@ static double density(const void *block, const double frequency[BL_AXES]) {
 static void describe(const void *block, bl_facts *facts) {
     const spot_parameters *p = block;
     facts->mean = 0;
-    if (has_closed_form(block))
+    if (bl_lattice_has_closed_form(block))
         bl_impulses_describe(covariance, p, p->dimensions, 2 * p->radius, p->stretch / p->radius,
                              facts);
     else if (bl_lattice_differs_within(&p->lattice, p->dimensions, 2 * p->radius))
         facts->variance = covariance(p, (const double[BL_AXES]){0});
-    facts->stationary = has_closed_form(block);
+    facts->stationary = bl_lattice_has_closed_form(block);
     facts->isotropic = facts->stationary && p->shape != SHAPE_SQUARE && p->stretch == 1;
     double cells = p->dimensions == 3 ? 27 : 9;
     int most = impulse_count_most(p->impulses, p->count == IMPULSE_COUNT_POISSON);
@@ -339,9 +326,12 @@ BL_NOISE_DESCRIPTOR(spot_noise) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(spot_parameters),
-    .dimensions_of = dimensions_of,
     .describe = describe,
-    .has_closed_form = has_closed_form,
+    .has_closed_form = bl_lattice_has_closed_form,
     .textbook = textbook,
-    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
+    .functions = {.points = points,
+                  .value = value,
+                  .values = values,
+                  .gradient = gradient,
+                  BL_NOISE_CLOSED_FORM},
 };

@@ -69,10 +69,6 @@ static bl_status build(void *block, bl_opener *open, bl_message *message) {
     return bl_displacement_build(&p->of, &p->scale, &p->tile, message);
 }
 
-static unsigned dimensions_of(const void *block) {
-    return ((const additions_parameters *)block)->of.tile.dimensions;
-}
-
 static void describe(const void *block, bl_facts *facts) {
     const additions_parameters *p = block;
     bl_displacement_describe(&p->of, p->scale, &p->tile, facts);
@@ -104,7 +100,6 @@ BL_NOISE_DESCRIPTOR(successive_additions) = {
     .dimensions = 2,
     .parameters = parameters,
     .parameters_size = sizeof(additions_parameters),
-    .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,
     .textbook = textbook,

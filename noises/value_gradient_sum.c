@@ -136,11 +136,6 @@ static bl_terms terms_of(const void *block) {
 
 BL_CLOSED_FORM_OF_TERMS
 
-static int has_closed_form(const void *block) {
-    const sum_parameters *p = block;
-    return bl_lattice_is_hash(&p->lattice);
-}
-
 static void describe(const void *block, bl_facts *facts) {
     const sum_parameters *p = block;
     bl_terms terms = terms_of(block);
@@ -189,7 +184,7 @@ BL_NOISE_DESCRIPTOR(value_gradient_sum) = {
     .parameters = parameters,
     .parameters_size = sizeof(sum_parameters),
     .describe = describe,
-    .has_closed_form = has_closed_form,
+    .has_closed_form = bl_lattice_has_closed_form,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_PERM256,
     .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},

@@ -51,19 +51,13 @@ static void row(const void *block, const double start[BL_AXES], const double ste
                 size_t count, float *out) {
     const value_parameters *p = block;
     bl_value_noise noise = value_noise_of(block);
-    if (p->dimensions == 3)
-        bl_value_row(&noise, start, step, 0, count, out);
-    else
-        bl_value_row_in(&noise, p->dimensions, start, step, count, out);
+    bl_value_row_in(&noise, p->dimensions, start, step, count, out);
 }
 
 static void points(const void *block, const double *const at[BL_AXES], size_t count, float *out) {
     const value_parameters *p = block;
     bl_value_noise noise = value_noise_of(block);
-    if (p->dimensions == 3)
-        bl_value_points(&noise, at, count, out);
-    else
-        bl_value_points_in(&noise, p->dimensions, at, count, out);
+    bl_value_points_in(&noise, p->dimensions, at, count, out);
 }
 
 static double reference(const void *block, const bl_value_noise *noise, const double at[BL_AXES],
@@ -94,16 +88,6 @@ static bl_terms terms_of(const void *block) {
 
 BL_CLOSED_FORM_OF_TERMS
 
-static int has_closed_form(const void *block) {
-    const value_parameters *p = block;
-    return bl_lattice_is_hash(&p->lattice);
-}
-
-static unsigned dimensions_of(const void *block) {
-    const value_parameters *p = block;
-    return p->dimensions;
-}
-
 static void describe(const void *block, bl_facts *facts) {
     const value_parameters *p = block;
     bl_terms terms = terms_of(block);
@@ -129,9 +113,8 @@ BL_NOISE_DESCRIPTOR(value_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(value_parameters),
-    .dimensions_of = dimensions_of,
     .describe = describe,
-    .has_closed_form = has_closed_form,
+    .has_closed_form = bl_lattice_has_closed_form,
     .textbook = bl_textbook_value,
     .textbook_settings = BL_TEXTBOOK_VALUES,
     .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},

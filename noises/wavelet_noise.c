@@ -69,10 +69,6 @@ static bl_status build(void *block, bl_opener *open, bl_message *message) {
     return bl_wavelet_build(&p->of, &p->tile, message);
 }
 
-static unsigned dimensions_of(const void *block) {
-    return ((const wavelet_parameters *)block)->of.tile.dimensions;
-}
-
 static void describe(const void *block, bl_facts *facts) {
     const wavelet_parameters *p = block;
     bl_wavelet_describe(&p->of, &p->tile, facts);
@@ -124,7 +120,6 @@ BL_NOISE_DESCRIPTOR(wavelet_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(wavelet_parameters),
-    .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,
     .textbook = textbook,

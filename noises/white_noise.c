@@ -113,11 +113,6 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
     }
 }
 
-static void row(const void *block, const double start[BL_AXES], const double step[BL_AXES],
-                size_t count, float *out) {
-    bl_row_by_points(points, block, start, step, 0, count, out);
-}
-
 static double covariance(const void *block, const double lag[BL_AXES]) {
     const white_parameters *p = block;
     double product = BL_VALUE_VARIANCE(BL_LATTICE_VALUES);
@@ -140,11 +135,6 @@ static double density(const void *block, const double frequency[BL_AXES]) {
 static int has_closed_form(const void *block) {
     const white_parameters *p = block;
     return p->cell > 0;
-}
-
-static unsigned dimensions_of(const void *block) {
-    const white_parameters *p = block;
-    return p->dimensions;
 }
 
 static bl_status validate(const void *block, bl_message *message) {
@@ -210,10 +200,9 @@ BL_NOISE_DESCRIPTOR(white_noise) = {
     .dimensions = 3,
     .parameters = parameters,
     .parameters_size = sizeof(white_parameters),
-    .dimensions_of = dimensions_of,
     .validate = validate,
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
-    .functions = {BL_NOISE_FUNCTIONS, BL_NOISE_CLOSED_FORM},
+    .functions = {.points = points, .value = value, BL_NOISE_CLOSED_FORM},
 };

@@ -240,11 +240,6 @@ static double density(const void *block, const double frequency[BL_AXES]) {
     return product;
 }
 
-static int has_closed_form(const void *block) {
-    const wiener_parameters *p = block;
-    return bl_lattice_is_hash(&p->lattice);
-}
-
 // The covariance along x except for a factor.
 static double along_x(const void *block, const double lag[BL_AXES]) {
     const wiener_parameters *p = block;
@@ -260,7 +255,7 @@ static void describe(const void *block, bl_facts *facts) {
     facts->mean = 0;
     if (bl_lattice_differs_within(&p->lattice, 3, 4))
         facts->variance = covariance(block, (const double[BL_AXES]){0});
-    if (!has_closed_form(block))
+    if (!bl_lattice_has_closed_form(block))
         return;
     facts->covariance_reach = 4;
     facts->band_from = 0;
@@ -322,7 +317,7 @@ BL_NOISE_DESCRIPTOR(wiener_noise) = {
     .parameters = parameters,
     .parameters_size = sizeof(wiener_parameters),
     .describe = describe,
-    .has_closed_form = has_closed_form,
+    .has_closed_form = bl_lattice_has_closed_form,
     .textbook = textbook,
     .textbook_settings = BL_TEXTBOOK_VALUES,
     .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM,

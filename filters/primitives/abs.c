@@ -44,8 +44,4 @@ BL_PRIMITIVE_DESCRIPTOR(abs) = {.name = "abs",
                                 .summary = "x without its sign.",
                                 .formula = "|x|",
                                 .paper = "peachey2003, p. 29",
-                                .dimensions = 1,
-                                .parameters = parameters,
-                                .parameters_size = sizeof(abs_parameters),
-                                .describe = describe,
-                                .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                BL_PRIMITIVE_PARTS(abs_parameters)};

@@ -35,10 +35,7 @@ static double average(const bias_parameters *p, const bl_filter *filter, double 
 
 BL_PRIMITIVE_ABILITIES(bias_parameters)
 
-static bl_status validate(const void *block, bl_message *message) {
-    const bias_parameters *p = block;
-    return bl_check_averaging(bl_filter_at(p->averaging.filter), p->averaging.width, 1, message);
-}
+BL_PRIMITIVE_VALIDATE(bias_parameters, 1)
 
 static void describe(const void *block, bl_facts *facts) {
     const bias_parameters *p = block;
@@ -59,9 +56,5 @@ BL_PRIMITIVE_DESCRIPTOR(bias) = {.name = "bias",
                                  .summary = "A monotone curve that is b in the middle.",
                                  .formula = "x^(ln b / ln (1/2)), or x / ((1/b - 2)(1 - x) + 1)",
                                  .paper = "peachey2003, p. 38",
-                                 .dimensions = 1,
-                                 .parameters = parameters,
-                                 .parameters_size = sizeof(bias_parameters),
                                  .validate = validate,
-                                 .describe = describe,
-                                 .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                 BL_PRIMITIVE_PARTS(bias_parameters)};

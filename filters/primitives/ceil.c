@@ -33,10 +33,7 @@ static double average(const ceil_parameters *p, const bl_filter *filter, double 
 
 BL_PRIMITIVE_ABILITIES(ceil_parameters)
 
-static bl_status validate(const void *block, bl_message *message) {
-    const ceil_parameters *p = block;
-    return bl_check_averaging(bl_filter_at(p->averaging.filter), p->averaging.width, 1, message);
-}
+BL_PRIMITIVE_VALIDATE(ceil_parameters, 1)
 
 static void describe(const void *block, bl_facts *facts) {
     const ceil_parameters *p = block;
@@ -52,9 +49,5 @@ BL_PRIMITIVE_DESCRIPTOR(ceil) = {.name = "ceil",
                                  .summary = "The smallest whole number that is not below x.",
                                  .formula = "-floor(-x)",
                                  .paper = "peachey2003, p. 33",
-                                 .dimensions = 1,
-                                 .parameters = parameters,
-                                 .parameters_size = sizeof(ceil_parameters),
                                  .validate = validate,
-                                 .describe = describe,
-                                 .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                 BL_PRIMITIVE_PARTS(ceil_parameters)};

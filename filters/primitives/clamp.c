@@ -89,8 +89,4 @@ BL_PRIMITIVE_DESCRIPTOR(clamp) = {.name = "clamp",
                                   .summary = "x, but within two limits.",
                                   .formula = "min(max(x, low), high)",
                                   .paper = "peachey2003, p. 28",
-                                  .dimensions = 1,
-                                  .parameters = parameters,
-                                  .parameters_size = sizeof(clamp_parameters),
-                                  .describe = describe,
-                                  .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                  BL_PRIMITIVE_PARTS(clamp_parameters)};

@@ -33,10 +33,7 @@ static double average(const floor_parameters *p, const bl_filter *filter, double
 
 BL_PRIMITIVE_ABILITIES(floor_parameters)
 
-static bl_status validate(const void *block, bl_message *message) {
-    const floor_parameters *p = block;
-    return bl_check_averaging(bl_filter_at(p->averaging.filter), p->averaging.width, 1, message);
-}
+BL_PRIMITIVE_VALIDATE(floor_parameters, 1)
 
 static void describe(const void *block, bl_facts *facts) {
     const floor_parameters *p = block;
@@ -52,9 +49,5 @@ BL_PRIMITIVE_DESCRIPTOR(floor) = {.name = "floor",
                                   .summary = "The largest whole number that is not above x.",
                                   .formula = "floor(x)",
                                   .paper = "peachey2003, p. 33",
-                                  .dimensions = 1,
-                                  .parameters = parameters,
-                                  .parameters_size = sizeof(floor_parameters),
                                   .validate = validate,
-                                  .describe = describe,
-                                  .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                  BL_PRIMITIVE_PARTS(floor_parameters)};

@@ -66,10 +66,7 @@ static double average(const gain_parameters *p, const bl_filter *filter, double 
 
 BL_PRIMITIVE_ABILITIES(gain_parameters)
 
-static bl_status validate(const void *block, bl_message *message) {
-    const gain_parameters *p = block;
-    return bl_check_averaging(bl_filter_at(p->averaging.filter), p->averaging.width, 1, message);
-}
+BL_PRIMITIVE_VALIDATE(gain_parameters, 1)
 
 static void describe(const void *block, bl_facts *facts) {
     const gain_parameters *p = block;
@@ -91,9 +88,5 @@ BL_PRIMITIVE_DESCRIPTOR(gain) = {
     .summary = "An S-shaped curve of two bias curves.",
     .formula = "bias(1 - g, 2 x) / 2, then 1 - bias(1 - g, 2 - 2 x) / 2",
     .paper = "peachey2003, p. 39",
-    .dimensions = 1,
-    .parameters = parameters,
-    .parameters_size = sizeof(gain_parameters),
     .validate = validate,
-    .describe = describe,
-    .functions = {BL_PRIMITIVE_FUNCTIONS}};
+    BL_PRIMITIVE_PARTS(gain_parameters)};

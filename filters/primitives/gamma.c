@@ -30,10 +30,7 @@ static double average(const gamma_parameters *p, const bl_filter *filter, double
 
 BL_PRIMITIVE_ABILITIES(gamma_parameters)
 
-static bl_status validate(const void *block, bl_message *message) {
-    const gamma_parameters *p = block;
-    return bl_check_averaging(bl_filter_at(p->averaging.filter), p->averaging.width, 1, message);
-}
+BL_PRIMITIVE_VALIDATE(gamma_parameters, 1)
 
 static void describe(const void *block, bl_facts *facts) {
     const gamma_parameters *p = block;
@@ -52,9 +49,5 @@ BL_PRIMITIVE_DESCRIPTOR(gamma) = {.name = "gamma",
                                   .summary = "A power of x on the unit interval.",
                                   .formula = "x^(1 / gamma)",
                                   .paper = "peachey2003, p. 37",
-                                  .dimensions = 1,
-                                  .parameters = parameters,
-                                  .parameters_size = sizeof(gamma_parameters),
                                   .validate = validate,
-                                  .describe = describe,
-                                  .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                  BL_PRIMITIVE_PARTS(gamma_parameters)};

@@ -51,8 +51,4 @@ BL_PRIMITIVE_DESCRIPTOR(max) = {.name = "max",
                                 .summary = "The maximum of x and a constant.",
                                 .formula = "x > low ? x : low",
                                 .paper = "peachey2003, p. 28",
-                                .dimensions = 1,
-                                .parameters = parameters,
-                                .parameters_size = sizeof(max_parameters),
-                                .describe = describe,
-                                .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                BL_PRIMITIVE_PARTS(max_parameters)};

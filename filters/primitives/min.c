@@ -51,8 +51,4 @@ BL_PRIMITIVE_DESCRIPTOR(min) = {.name = "min",
                                 .summary = "The minimum of x and a constant.",
                                 .formula = "x < high ? x : high",
                                 .paper = "peachey2003, p. 28",
-                                .dimensions = 1,
-                                .parameters = parameters,
-                                .parameters_size = sizeof(min_parameters),
-                                .describe = describe,
-                                .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                BL_PRIMITIVE_PARTS(min_parameters)};

@@ -54,8 +54,4 @@ BL_PRIMITIVE_DESCRIPTOR(mix) = {.name = "mix",
                                 .summary = "From one value to another, linearly.",
                                 .formula = "(1 - x) a + x b",
                                 .paper = "peachey2003, p. 24",
-                                .dimensions = 1,
-                                .parameters = parameters,
-                                .parameters_size = sizeof(mix_parameters),
-                                .describe = describe,
-                                .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                BL_PRIMITIVE_PARTS(mix_parameters)};

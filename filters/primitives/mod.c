@@ -76,9 +76,5 @@ BL_PRIMITIVE_DESCRIPTOR(mod) = {.name = "mod",
                                 .summary = "What is left of x after whole periods: a sawtooth.",
                                 .formula = "x - period floor(x / period)",
                                 .paper = "peachey2003, p. 31",
-                                .dimensions = 1,
-                                .parameters = parameters,
-                                .parameters_size = sizeof(mod_parameters),
                                 .validate = validate,
-                                .describe = describe,
-                                .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                BL_PRIMITIVE_PARTS(mod_parameters)};

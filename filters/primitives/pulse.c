@@ -112,9 +112,5 @@ BL_PRIMITIVE_DESCRIPTOR(pulse) = {.name = "pulse",
                                   .summary = "1 between two edges, else 0, once in each period.",
                                   .formula = "low <= x - k period < high for a whole k",
                                   .paper = "peachey2003, p. 27 and 32",
-                                  .dimensions = 1,
-                                  .parameters = parameters,
-                                  .parameters_size = sizeof(pulse_parameters),
                                   .validate = validate,
-                                  .describe = describe,
-                                  .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                  BL_PRIMITIVE_PARTS(pulse_parameters)};

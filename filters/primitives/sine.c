@@ -72,8 +72,4 @@ BL_PRIMITIVE_DESCRIPTOR(sine) = {.name = "sine",
                                  .summary = "One frequency.",
                                  .formula = "sin(2 pi (frequency x + phase))",
                                  .paper = "peachey2003, p. 30",
-                                 .dimensions = 1,
-                                 .parameters = parameters,
-                                 .parameters_size = sizeof(sine_parameters),
-                                 .describe = describe,
-                                 .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                 BL_PRIMITIVE_PARTS(sine_parameters)};

@@ -100,9 +100,5 @@ BL_PRIMITIVE_DESCRIPTOR(sineturbulence) = {
     .summary = "Sizes of sines of doubling frequencies, over the frequency.",
     .formula = "sum of |sin(2 pi f x)| / f, f = min, 2 min, ... < max",
     .paper = "peachey2003, p. 87",
-    .dimensions = 1,
-    .parameters = parameters,
-    .parameters_size = sizeof(sineturbulence_parameters),
     .validate = validate,
-    .describe = describe,
-    .functions = {BL_PRIMITIVE_FUNCTIONS}};
+    BL_PRIMITIVE_PARTS(sineturbulence_parameters)};

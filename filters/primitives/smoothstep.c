@@ -60,11 +60,7 @@ static double average(const smoothstep_parameters *p, const bl_filter *filter, d
 
 BL_PRIMITIVE_ABILITIES(smoothstep_parameters)
 
-static bl_status validate(const void *block, bl_message *message) {
-    const smoothstep_parameters *p = block;
-    return bl_check_averaging(bl_filter_at(p->averaging.filter), p->averaging.width,
-                              fabs(p->high - p->low), message);
-}
+BL_PRIMITIVE_VALIDATE(smoothstep_parameters, fabs(p->high - p->low))
 
 static void describe(const void *block, bl_facts *facts) {
     const smoothstep_parameters *p = block;
@@ -90,9 +86,5 @@ BL_PRIMITIVE_DESCRIPTOR(smoothstep) = {.name = "smoothstep",
                                        .summary = "From 0 to 1 by a cubic, level at both ends.",
                                        .formula = "t t (3 - 2 t), t = (x - low) / (high - low)",
                                        .paper = "peachey2003, p. 29",
-                                       .dimensions = 1,
-                                       .parameters = parameters,
-                                       .parameters_size = sizeof(smoothstep_parameters),
                                        .validate = validate,
-                                       .describe = describe,
-                                       .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                       BL_PRIMITIVE_PARTS(smoothstep_parameters)};

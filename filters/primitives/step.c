@@ -56,8 +56,4 @@ BL_PRIMITIVE_DESCRIPTOR(step) = {.name = "step",
                                  .summary = "0 below an edge, 1 from it on.",
                                  .formula = "x >= edge",
                                  .paper = "peachey2003, p. 27",
-                                 .dimensions = 1,
-                                 .parameters = parameters,
-                                 .parameters_size = sizeof(step_parameters),
-                                 .describe = describe,
-                                 .functions = {BL_PRIMITIVE_FUNCTIONS}};
+                                 BL_PRIMITIVE_PARTS(step_parameters)};

@@ -109,6 +109,10 @@ bl_bound bl_bound_sparse_convolution(unsigned table) {
                       "|K| in each, certified by branch and bound"};
 }
 
+int bl_lattice_has_closed_form(const void *block) {
+    return bl_lattice_is_hash(block);
+}
+
 void bl_lattice_describe(bl_bound bound, int continuity, const bl_lattice_settings *lattice,
                          bl_facts *facts) {
     facts->lower = -bound.value;

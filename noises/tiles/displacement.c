@@ -173,6 +173,25 @@ static double mean_square(const double *grid, const size_t size[2], const double
     return sum / (double)count;
 }
 
+// The classes of random numbers. `grid` is overwritten.
+static walk find_classes(const bl_displacement *settings, double *grid) {
+    walk classes = walk_all(settings, NULL, grid);
+    classes.class_start[classes.classes] = classes.taken;
+    return classes;
+}
+
+// Fills the grid with what one number of a class does, as weights of the reading kernel; returns
+// how many numbers the class has. All of `one` is 0, before and after.
+static double spread_one(const bl_displacement *settings, const walk *classes, unsigned c,
+                         double *one, const uint32_t size[BL_TILE_AXES], double *grid) {
+    size_t start = classes->class_start[c];
+    one[start] = 1;
+    walk_all(settings, one, grid);
+    one[start] = 0;
+    bl_tile_prefilter(grid, size, (bl_tile_kernel)settings->tile.interp);
+    return (double)(classes->class_start[c + 1] - start);
+}
+
 bl_status bl_displacement_variance(const bl_displacement *settings, double *variance,
                                    bl_message *message) {
     uint32_t size[BL_TILE_AXES];
@@ -192,17 +211,12 @@ bl_status bl_displacement_variance(const bl_displacement *settings, double *vari
         for (int i = 0; i < 16; i++)
             rho[lag] += bl_tile_power(kernel, i / 16.0) * cos(2 * M_PI * i * lag / 16) / 16;
     }
-    walk classes = walk_all(settings, NULL, grid);
-    classes.class_start[classes.classes] = classes.taken;
+    const walk classes = find_classes(settings, grid);
     *variance = 0;
     for (unsigned c = 0; c < classes.classes; c++) {
-        size_t start = classes.class_start[c], members = classes.class_start[c + 1] - start;
-        one[start] = 1;
-        walk_all(settings, one, grid);
-        one[start] = 0;
-        bl_tile_prefilter(grid, size, kernel);
-        *variance += (double)members *
-                     mean_square(grid, (const size_t[]){size[0], size[1]}, rho, grid + count);
+        double members = spread_one(settings, &classes, c, one, size, grid);
+        *variance +=
+            members * mean_square(grid, (const size_t[]){size[0], size[1]}, rho, grid + count);
     }
     free(grid);
     free(one);
@@ -237,15 +251,10 @@ static bl_status find_covariance(const bl_displacement *settings, double varianc
     double *grid = malloc(bl_tile_count(tile->size) * sizeof *grid);
     double *one = calloc(bl_displacement_count(settings), sizeof *one);
     if (powers && buffer && grid && one) {
-        walk classes = walk_all(settings, NULL, grid);
-        classes.class_start[classes.classes] = classes.taken;
+        const walk classes = find_classes(settings, grid);
         for (unsigned c = 0; c < classes.classes; c++) {
-            size_t start = classes.class_start[c], members = classes.class_start[c + 1] - start;
-            one[start] = 1;
-            walk_all(settings, one, grid);
-            one[start] = 0;
-            bl_tile_prefilter(grid, tile->size, (bl_tile_kernel)tile->kernel[0]);
-            add_powers(tile, plan, grid, (double)members / variance, buffer, powers);
+            double members = spread_one(settings, &classes, c, one, tile->size, grid);
+            add_powers(tile, plan, grid, members / variance, buffer, powers);
         }
         status = bl_tile_set_powers(tile, powers, message);
     } else {
