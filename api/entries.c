@@ -61,7 +61,7 @@ static bl_status find(bandlimit_kind kind, size_t index, bandlimit_entry *entry,
                                .name = head->name,
                                .title = head->title,
                                .summary = head->summary,
-                               .paper = head->paper};
+                               .paper = bl_entry_paper(head)};
     *parameters = fill_rest(kind, head, entry);
     return BL_OK;
 }

@@ -29,7 +29,7 @@ static json_t *registry_json(const bl_registry *registry) {
         bl_json_set_text(object, "title", entry->title);
         if (dimensions)
             bl_json_set_count(object, "dimensions", dimensions);
-        bl_json_set_text(object, "paper", entry->paper);
+        bl_json_set_text(object, "paper", bl_entry_paper(entry));
         bl_json_set_text(object, "summary", entry->summary);
         json_array_append_new(list, object);
     }

@@ -245,7 +245,6 @@ static void print_example(FILE *out, const details *d) {
 static bl_status show_entry(bl_call *call, const bl_registry *registry, const void *thing) {
     const bl_entry *entry = thing;
     details d = details_of(call, registry, thing);
-    const char *paper = entry->paper ? entry->paper : "bandlimit"; // our own
     json_t *object = bl_json_start(call);
     if (object) {
         bl_json_set_text(object, "kind", registry->kind);
@@ -254,7 +253,7 @@ static bl_status show_entry(bl_call *call, const bl_registry *registry, const vo
         bl_json_set_text(object, d.summary_key, entry->summary);
         for (int i = 0; i < LINES_MOST && d.lines[i].key; i++)
             bl_json_set_text(object, d.lines[i].key, d.lines[i].text);
-        bl_json_set_text(object, "paper", paper);
+        bl_json_set_text(object, "paper", bl_entry_paper(entry));
         bl_json_set_text(object, "example", d.example);
         if (d.parameters)
             json_object_set_new(object, "parameters", parameters_json(d.parameters));
@@ -265,7 +264,7 @@ static bl_status show_entry(bl_call *call, const bl_registry *registry, const vo
         fprintf(call->out, "\n%s\n", entry->summary);
     for (int i = 0; i < LINES_MOST && d.lines[i].key; i++)
         fprintf(call->out, "\n%s\n  %s\n", d.lines[i].key, d.lines[i].text);
-    fprintf(call->out, "\nsource       %s\n", paper);
+    fprintf(call->out, "\nsource       %s\n", bl_entry_paper(entry));
     print_example(call->out, &d);
     if (d.parameters && d.parameters->key)
         print_parameters(call->out, d.parameters);

@@ -9,7 +9,10 @@
 #include "core/plain.h"
 #include "cli/verb.h"
 #include "cli/words.h"
+#include "filters/primitive.h"
 #include "reports/trade_files.h"
+#include "sources/source.h"
+#include "textures/texture.h"
 
 enum { TRADES_MOST = 32 };
 
@@ -36,25 +39,32 @@ static const char *names_of(char *text, size_t size) {
     return text;
 }
 
+static bl_status report_unknown(bl_call *call, const char *name) {
+    char trades[256], all[sizeof trades + 96];
+    snprintf(all, sizeof all, "`bandlimit list` shows signals; or the word %s, for the trades %s",
+             the_word, names_of(trades, sizeof trades));
+    const bl_unknown unknown = {
+        .what = "subject",
+        .word = name,
+        .words = (const char *const[]){the_word, NULL},
+        .registries = (const bl_registry *const[]){&bl_noises, &bl_primitives, &bl_textures, NULL},
+        .all = all};
+    return bl_report_unknown(&unknown, &call->message);
+}
+
 static bl_status open_subject(bl_call *call, trade_subject *subject) {
-    static const char *const words[] = {the_word, NULL};
-    char trades[256];
     const char *text = call->operands.words[0];
+    char name[64];
     *subject = (trade_subject){NULL, text};
     if (strcmp(text, the_word) == 0)
         return BL_OK;
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
+    if (!bl_source_of(text) && !bl_source_definition(name, call->isa))
+        return report_unknown(call, name);
     bl_status status = bl_call_open(call, text, &subject->signal);
     if (status == BL_OK)
         subject->text = subject->signal->text;
-    if (status != BL_USAGE)
-        return status;
-    bl_message own = call->message;
-    const char *near = bl_nearest(text, words);
-    return bl_report(&call->message, BL_USAGE,
-                     "%.600s%s%s%s; a subject is a noise, a primitive, a texture, or the word %s, "
-                     "for the trades %s",
-                     own.text, near ? ", or '" : "", near ? near : "", near ? "'" : "", the_word,
-                     names_of(trades, sizeof trades));
+    return status;
 }
 
 static int applies(const bl_trade *trade, const trade_subject *subject) {

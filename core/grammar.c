@@ -137,33 +137,58 @@ bl_status bl_spec_parse(const char *text, bl_spec *spec, bl_message *message) {
     return status;
 }
 
-const char *bl_spec_get(const bl_spec *spec, const char *key) {
+static bl_status append(bl_spec *spec, const char *key, const char *value, bl_message *message) {
+    bl_setting *more = realloc(spec->settings, (spec->count + 1) * sizeof *more);
+    if (!more)
+        return bl_report(message, BL_DEVICE, "out of memory setting '%s'", key);
+    spec->settings = more;
+    more[spec->count] = (bl_setting){.key = strdup(key), .value = strdup(value)};
+    const bl_setting *added = &more[spec->count++];
+    return added->key && added->value
+               ? BL_OK
+               : bl_report(message, BL_DEVICE, "out of memory setting '%s'", key);
+}
+
+static bl_setting *find_setting(const bl_spec *spec, const char *key) {
     for (size_t i = 0; i < spec->count; i++)
         if (strcmp(spec->settings[i].key, key) == 0)
-            return spec->settings[i].value;
+            return &spec->settings[i];
     return NULL;
 }
 
+const char *bl_spec_get(const bl_spec *spec, const char *key) {
+    const bl_setting *setting = find_setting(spec, key);
+    return setting ? setting->value : NULL;
+}
+
 bl_status bl_spec_set(bl_spec *spec, const char *key, const char *value, bl_message *message) {
-    size_t place = 0;
-    while (place < spec->count && strcmp(spec->settings[place].key, key) != 0)
-        place++;
-    bl_setting *more = place < spec->count
-                           ? spec->settings
-                           : realloc(spec->settings, (spec->count + 1) * sizeof *more);
-    char *copy = strdup(value), *name = place < spec->count ? NULL : strdup(key);
-    if (more)
-        spec->settings = more;
-    if (!more || !copy || (place == spec->count && !name)) {
-        free(copy);
-        free(name);
+    bl_setting *setting = find_setting(spec, key);
+    if (!setting)
+        return append(spec, key, value, message);
+    char *copy = strdup(value);
+    if (!copy)
         return bl_report(message, BL_DEVICE, "out of memory setting '%s'", key);
-    }
-    if (place == spec->count)
-        spec->settings[spec->count++] = (bl_setting){.key = name};
-    free(spec->settings[place].value);
-    spec->settings[place].value = copy;
+    free(setting->value);
+    setting->value = copy;
     return BL_OK;
+}
+
+// A key that is set twice stays so, and whoever opens the signal says it.
+bl_status bl_spec_nest(bl_spec *spec, const char *key, const char *nested, bl_message *message) {
+    bl_spec within;
+    bl_status status = bl_spec_parse(nested, &within, message);
+    if (status != BL_OK)
+        return status;
+    status = append(spec, key, within.name, message);
+    for (size_t i = 0; i < within.count && status == BL_OK; i++) {
+        char *dotted = NULL;
+        status = asprintf(&dotted, "%s.%s", key, within.settings[i].key) < 0
+                     ? bl_report(message, BL_DEVICE, "out of memory setting '%s'", key)
+                     : append(spec, dotted, within.settings[i].value, message);
+        free(dotted);
+    }
+    bl_spec_free(&within);
+    return status;
 }
 
 char *bl_spec_text(const bl_spec *spec) {
@@ -181,15 +206,44 @@ char *bl_spec_text(const bl_spec *spec) {
     return NULL;
 }
 
-bl_status bl_text_set(const char *text, const char *key, const char *value, char **changed,
-                      bl_message *message) {
+typedef bl_status change(bl_spec *spec, const char *key, const char *value, bl_message *message);
+
+static bl_status change_text(const char *text, change *apply, const char *key, const char *value,
+                             char **changed, bl_message *message) {
     bl_spec spec;
     bl_status status = bl_spec_parse(text, &spec, message);
     if (status != BL_OK)
         return status;
-    status = bl_spec_set(&spec, key, value, message);
+    status = apply(&spec, key, value, message);
     if (status == BL_OK && !(*changed = bl_spec_text(&spec)))
         status = bl_report(message, BL_DEVICE, "out of memory setting '%s'", key);
     bl_spec_free(&spec);
     return status;
+}
+
+bl_status bl_text_set(const char *text, const char *key, const char *value, char **changed,
+                      bl_message *message) {
+    return change_text(text, bl_spec_set, key, value, changed, message);
+}
+
+bl_status bl_text_nest(const char *text, const char *key, const char *nested, char **changed,
+                       bl_message *message) {
+    return change_text(text, bl_spec_nest, key, nested, changed, message);
+}
+
+static bl_status drop(bl_spec *spec, const char *key, const char *value, bl_message *message) {
+    bl_setting *setting = find_setting(spec, key);
+    (void)value, (void)message;
+    if (!setting)
+        return BL_OK;
+    free(setting->key);
+    free(setting->value);
+    size_t after = spec->count - 1 - (size_t)(setting - spec->settings);
+    memmove(setting, setting + 1, after * sizeof *setting);
+    spec->count--;
+    return BL_OK;
+}
+
+bl_status bl_text_drop(const char *text, const char *key, char **changed, bl_message *message) {
+    return change_text(text, drop, key, NULL, changed, message);
 }

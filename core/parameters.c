@@ -354,23 +354,6 @@ static void print_list(const char *source, char *out, size_t size) {
         used += (size_t)snprintf(out + used, size - used, "%s%" PRIu32, i ? "," : "", list[i]);
 }
 
-// "gnoise:fade=quintic,seed=3" of a key basis: "gnoise,basis.fade=quintic,basis.seed=3".
-static void print_nested(const bl_parameter *parameter, const char *source, char *out,
-                         size_t size) {
-    size_t used = 0;
-    int starts_key = 0;
-    for (; *source && used + strlen(parameter->key) + 3 < size; source++) {
-        // A number alone goes on with a list; the rest after a comma is a setting.
-        starts_key = (used && *source == ':' && !strchr(out, ',')) ||
-                     (*source == ',' && strcspn(source + 1, "=") < strcspn(source + 1, ","));
-        if (starts_key)
-            used += (size_t)snprintf(out + used, size - used, ",%s.", parameter->key);
-        else
-            out[used++] = *source;
-        out[used] = '\0';
-    }
-}
-
 static void print_value(const bl_parameter *parameter, const void *block, char *out, size_t size) {
     const char *source = (const char *)block + parameter->offset;
     uint64_t seed;
@@ -405,10 +388,8 @@ static void print_value(const bl_parameter *parameter, const void *block, char *
         print_list(source, out, size);
         break;
     case BL_TEXT:
-        snprintf(out, size, "%s", source);
-        break;
     case BL_NESTED:
-        print_nested(parameter, source, out, size);
+        snprintf(out, size, "%s", source);
         break;
     }
 }
@@ -421,8 +402,8 @@ static int is_default(const bl_parameter *parameter, const char *value) {
     if (parameter->kind == BL_REAL)
         return read_word(parameter, value, &real) &&
                read_word(parameter, parameter->fallback, &fallback) && real == fallback;
-    if (parameter->kind == BL_TEXT || parameter->kind == BL_NESTED || parameter->kind == BL_LIST)
-        return strcmp(value, parameter->fallback) == 0;
+    if (parameter->kind == BL_NESTED && strchr(value, ':'))
+        return 0; // settings of a signal within are always told
     if (parameter->kind == BL_SEED || parameter->kind == BL_INTEGER)
         return bl_read_unsigned(value, &number) && bl_read_unsigned(parameter->fallback, &other) &&
                number == other;
@@ -430,24 +411,18 @@ static int is_default(const bl_parameter *parameter, const char *value) {
 }
 
 char *bl_parameters_text(const char *name, const bl_parameter *parameters, const void *block) {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *stream = open_memstream(&text, &size);
-    if (!stream)
-        return NULL;
-    fputs(name, stream);
-    char separator = ':';
-    for (const bl_parameter *parameter = parameters; parameter->key; parameter++) {
-        char value[2 * BL_TEXT_SIZE];
-        print_value(parameter, block, value, sizeof value);
-        if (is_default(parameter, value))
+    bl_spec spec = {.name = strdup(name)};
+    bl_status status = spec.name ? BL_OK : BL_DEVICE;
+    for (const bl_parameter *p = parameters; p->key && status == BL_OK; p++) {
+        char value[BL_TEXT_SIZE];
+        print_value(p, block, value, sizeof value);
+        if (is_default(p, value))
             continue;
-        fprintf(stream, "%c%s=%s", separator, parameter->key, value);
-        separator = ',';
+        status = p->kind == BL_NESTED ? bl_spec_nest(&spec, p->key, value, NULL) : BL_USAGE;
+        if (status == BL_USAGE) // no signal within, or one whose text cannot be read
+            status = bl_spec_set(&spec, p->key, value, NULL);
     }
-    if (fclose(stream) != 0) {
-        free(text);
-        return NULL;
-    }
+    char *text = status == BL_OK ? bl_spec_text(&spec) : NULL;
+    bl_spec_free(&spec);
     return text;
 }

@@ -21,6 +21,10 @@ const void *bl_registry_find(const bl_registry *registry, const char *name) {
     return NULL;
 }
 
+const char *bl_entry_paper(const bl_entry *entry) {
+    return entry->paper ? entry->paper : "bandlimit";
+}
+
 // --- the nearest word ---------------------------------------------------------------------------
 
 static size_t smallest(size_t a, size_t b, size_t c) {

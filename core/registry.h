@@ -19,7 +19,8 @@ typedef struct bl_entry {
     const char *name;    // one word, in the registry and in texts: "catmull-rom"
     const char *title;   // "Catmull-Rom kernel"
     const char *summary; // one sentence; may be NULL
-    const char *paper;   // its source: key and page or section, or "bandlimit" for one of ours
+    const char
+        *paper; // its source: key and page or section, or "bandlimit" for one of ours (NULL too)
 } bl_entry;
 
 // The head of every descriptor: a bl_entry, whose title and summary may have another name there.
@@ -42,6 +43,9 @@ const void *bl_registry_at(const bl_registry *registry, size_t index);
 const void *bl_registry_find(const bl_registry *registry, const char *name);
 // What the descriptor at an index below the count says of itself.
 const bl_entry *bl_registry_entry(const bl_registry *registry, size_t index);
+
+// The source of an entry: "bandlimit" where it names none, since then it is one of ours.
+const char *bl_entry_paper(const bl_entry *entry);
 
 // Declares a registry and the same functions with the type of its descriptors: bl_filter_count,
 // bl_filter_at, bl_filter_find.

@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "core/grammar.h"
+#include "core/registry.h"
 #include "include/bandlimit_plugin.h"
 #include "sources/crash.h"
 #include "sources/plugin_claims.h"
@@ -175,16 +176,21 @@ static const bl_signal_functions plugin_functions = {.row = plugin_row,
 // --- opening ---
 
 static bl_status report_missing(const plugin_source *plugin, bl_message *message) {
-    const char *near = bl_shared_object_nearest(plugin->handle, plugin->symbol);
-    if (!near)
-        return bl_report(message, BL_USAGE,
-                         "'%s' exports no function '%s', nor any other; declare it with "
-                         "BANDLIMIT_EXPORT of bandlimit_plugin.h",
-                         plugin->path, plugin->symbol);
+    const char **functions = bl_shared_object_functions(plugin->handle);
+    bl_message unknown = {""};
+    char *where = NULL;
+    if (functions && asprintf(&where, " of '%s'", plugin->path) >= 0)
+        bl_report_unknown(&(bl_unknown){.what = "function",
+                                        .word = plugin->symbol,
+                                        .where = where,
+                                        .words = functions,
+                                        .all = *functions ? "`nm -D` shows all" : NULL},
+                          &unknown);
+    free(where);
+    free(functions);
     return bl_report(message, BL_USAGE,
-                     "'%s' exports no function '%s'; the nearest is '%s'. In C++ declare it with "
-                     "BANDLIMIT_EXPORT of bandlimit_plugin.h",
-                     plugin->path, plugin->symbol, near);
+                     "%.700s; declare it with BANDLIMIT_EXPORT of bandlimit_plugin.h",
+                     unknown.text);
 }
 
 static bl_status find_companion(const plugin_source *plugin, const char *suffix,

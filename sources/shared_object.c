@@ -152,18 +152,12 @@ static const char *exported_name(const symbol_table *table, size_t index) {
     return name;
 }
 
-const char *bl_shared_object_nearest(void *handle, const char *word) {
+const char **bl_shared_object_functions(void *handle) {
     symbol_table table = find_table(handle);
-    const char **names = calloc(table.count + 1, sizeof *names), *nearest = NULL;
+    const char **names = calloc(table.count + 1, sizeof *names);
     size_t count = 0;
-    if (!names)
-        return NULL;
-    for (size_t i = 0; i < table.count; i++)
+    for (size_t i = 0; names && i < table.count; i++)
         if (exported_name(&table, i))
             names[count++] = exported_name(&table, i);
-    nearest = bl_nearest(word, names);
-    if (!nearest)
-        nearest = names[0];
-    free(names);
-    return nearest;
+    return names;
 }

@@ -19,8 +19,8 @@ typedef void bl_any_function(void);
 bl_status bl_shared_object_find(void *handle, const char *path, const char *symbol,
                                 bl_any_function **function, bl_message *message);
 
-// The exported function whose name is nearest to a word, or the first if none is near; the text
-// belongs to the object. NULL if there is none.
-const char *bl_shared_object_nearest(void *handle, const char *word);
+// The names of all functions that the object exports, ended by NULL; the caller frees the list, and
+// the names belong to the object. NULL out of memory.
+const char **bl_shared_object_functions(void *handle);
 
 #endif

@@ -64,27 +64,51 @@ static bl_status report_contradiction(const char *text, const char *key, const c
                      (unsigned long long)seed, key, value, text);
 }
 
-// The settings of a source stand in the midst of its text, where no comma of theirs is quoted.
+// The setting ",seed=N" of a source, which stands in the first `head` letters of its text, where no
+// comma of theirs is quoted; NULL without one whose N is a number.
+static const char *find_seed(const char *text, size_t head, char value[32],
+                             unsigned long long *seed) {
+    for (const char *word = text; (word = strstr(word, ",seed=")) && word < text + head; word++) {
+        snprintf(value, 32, "%.*s", (int)strcspn(word + 6, ",:"), word + 6);
+        if (bl_read_unsigned(value, seed)) // else its opening says so
+            return word;
+    }
+    return NULL;
+}
+
 static bl_status seed_source(const bl_source *source, const char *text, uint64_t seed,
                              char **seeded, bl_message *message) {
     size_t head = source->seed_place ? source->seed_place(text) : 0;
     unsigned long long named;
+    char value[32];
     if (!head)
         return bl_report(message, BL_MISMATCH, "--seed: '%s' has no seed; leave it out%s", text,
                          source->seed_hint ? source->seed_hint : "");
-    for (const char *word = text; (word = strstr(word, ",seed=")) && word < text + head; word++) {
-        char value[32];
-        snprintf(value, sizeof value, "%.*s", (int)strcspn(word + 6, ",:"), word + 6);
-        if (!bl_read_unsigned(value, &named))
-            continue; // its opening says so
-        *seeded = strdup(text);
+    if (find_seed(text, head, value, &named)) {
         if (named != seed)
             return report_contradiction(text, "seed", value, seed, message);
+        *seeded = strdup(text);
         return *seeded ? BL_OK : bl_report(message, BL_DEVICE, "out of memory");
     }
     int length = asprintf(seeded, "%.*s,seed=%llu%s", (int)head, text, (unsigned long long)seed,
                           text + head);
     return length < 0 ? bl_report(message, BL_DEVICE, "out of memory") : BL_OK;
+}
+
+char *bl_source_text_unseeded(const bl_signal *signal) {
+    const char *text = signal->text;
+    const bl_source *source = signal->definition ? NULL : bl_source_of(text);
+    const bl_parameter *seed = signal->definition ? bl_definition_seed(signal->definition) : NULL;
+    size_t head = source && source->seed_place ? source->seed_place(text) : 0;
+    unsigned long long named;
+    char value[32], *changed = NULL;
+    const char *setting = find_seed(text, head, value, &named);
+    if (setting &&
+        asprintf(&changed, "%.*s%s", (int)(setting - text), text, setting + 6 + strlen(value)) < 0)
+        return NULL;
+    if (seed && bl_text_drop(text, seed->key, &changed, NULL) != BL_OK)
+        return NULL;
+    return changed ? changed : strdup(text);
 }
 
 static bl_status seed_definition(const char *text, uint64_t seed, bl_isa isa, char **seeded,

@@ -66,6 +66,9 @@ bl_status bl_source_open(const char *text, bl_isa isa, bl_signal **signal, bl_me
 bl_status bl_source_open_seeded(const char *text, uint64_t seed, bl_isa isa, bl_signal **signal,
                                 bl_message *message);
 
+// The text of a signal without its seed, which the caller frees; NULL if out of memory.
+char *bl_source_text_unseeded(const bl_signal *signal);
+
 // The source that a text names, by the rule above; NULL for a definition.
 const bl_source *bl_source_of(const char *text);
 

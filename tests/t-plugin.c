@@ -343,8 +343,8 @@ static void test_the_header_needs_nothing_else(void **state) {
 
 static void test_every_bad_text_is_refused_with_its_reason(void **state) {
     (void)state;
-    refuse("plane", BL_USAGE, "the nearest is 'plain'");
-    refuse("malloc", BL_USAGE, "exports no function"); // of another library
+    refuse("plane", BL_USAGE, "did you mean 'plain'?");
+    refuse("malloc", BL_USAGE, "unknown function 'malloc'"); // of another library
     refuse("data", BL_USAGE, "is data");
     refuse("full_init", BL_USAGE, "a companion of 'full'");
     refuse("full_free", BL_USAGE, "a companion of 'full'");

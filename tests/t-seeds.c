@@ -149,12 +149,58 @@ static void test_a_text_is_edited_at_any_depth(void **state) {
     assert_null(text);
 }
 
+static void test_a_signal_goes_into_a_text_and_a_key_out_of_it(void **state) {
+    (void)state;
+    static const char *const nested[][3] = {
+        {"n", "g", "n:basis=g"},
+        {"n:a=1", "g:seed=3,list=1,2", "n:a=1,basis=g,basis.seed=3,basis.list=1,2"},
+        {"n", "g:kernel=table:100,basis=h", "n:basis=g,basis.kernel=table:100,basis.basis=h"},
+        {"n", "g:k=1,k=2", "n:basis=g,basis.k=1,basis.k=2"}}; // which its opening refuses
+    static const char *const dropped[][2] = {{"n:seed=1", "n"},
+                                             {"n:seed=1,a=2", "n:a=2"},
+                                             {"n:a=1,2,seed=1,b=3", "n:a=1,2,b=3"},
+                                             {"n:basis.seed=1,seed=2", "n:basis.seed=1"},
+                                             {"n:basis.seed=1", "n:basis.seed=1"}};
+    char *text = NULL;
+    for (size_t i = 0; i < sizeof nested / sizeof *nested; i++) {
+        assert_int_equal(bl_text_nest(nested[i][0], "basis", nested[i][1], &text, NULL), BL_OK);
+        assert_string_equal(text, nested[i][2]);
+        free(text);
+    }
+    for (size_t i = 0; i < sizeof dropped / sizeof *dropped; i++) {
+        assert_int_equal(bl_text_drop(dropped[i][0], "seed", &text, NULL), BL_OK);
+        assert_string_equal(text, dropped[i][1]);
+        free(text);
+    }
+    text = NULL;
+    assert_int_equal(bl_text_nest("n", "basis", "g:a", &text, NULL), BL_USAGE);
+    assert_null(text);
+}
+
+static void test_the_text_of_a_signal_is_told_without_its_seed(void **state) {
+    (void)state;
+    static const char *const cases[][2] = {
+        {"gnoise:seed=3,fade=quintic", "gnoise:fade=quintic"},
+        {"fbm:seed=2,basis.interp=linear,basis=vnoise", "fbm:basis=vnoise,basis.interp=linear"},
+        {"step", "step"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bl_signal *signal;
+        assert_int_equal(bl_source_open(cases[i][0], BL_ISA_BEST, &signal, NULL), BL_OK);
+        char *text = bl_source_text_unseeded(signal);
+        assert_string_equal(text, cases[i][1]);
+        free(text);
+        bl_signal_free(signal);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_seed_beside_the_text_is_one_within_it),
         cmocka_unit_test(test_setting_a_key_to_its_value_changes_nothing),
         cmocka_unit_test(test_a_setting_keeps_the_seed_of_a_reseeded_copy),
         cmocka_unit_test(test_a_text_is_edited_at_any_depth),
+        cmocka_unit_test(test_a_signal_goes_into_a_text_and_a_key_out_of_it),
+        cmocka_unit_test(test_the_text_of_a_signal_is_told_without_its_seed),
     };
     return bl_run_tests(tests);
 }

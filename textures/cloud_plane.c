@@ -27,7 +27,7 @@
 #include <stdio.h>
 
 #include "filters/octave_fade.h"
-#include "noises/noise.h"
+#include "textures/noise_source.h"
 #include "textures/sampling.h"
 #include "textures/texture.h"
 
@@ -152,10 +152,11 @@ static bl_status build(void *block, bl_opener *open, bl_message *message) {
     for (int i = 0; i < TERMS_MOST; i++) // of a copied block, those of the other
         p->sum[i] = NULL;
     for (unsigned i = 0; i < p->terms && status == BL_OK; i++) {
-        char text[64];
-        snprintf(text, sizeof text, "gardner:terms=%u,seed=%llu", i + 1,
-                 (unsigned long long)p->seed);
-        status = bl_noise_open(text, BL_ISA_BASELINE, &p->sum[i], message);
+        bl_noise_source terms = {.seed = p->seed};
+        char text[32];
+        snprintf(text, sizeof text, "gardner:terms=%u", i + 1);
+        status = bl_noise_source_open(&terms, text, 2, message);
+        p->sum[i] = terms.signal;
     }
     if (status == BL_OK)
         p->mean = mean_of(p);

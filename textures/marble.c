@@ -23,10 +23,9 @@
 //
 // Source: peachey2003, section at figure 2.40. Deviations: the text filters nothing; shading is
 // left to the viewer.
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
+#include <stdlib.h>
 
 #include "noises/octaves/octaves.h"
 #include "textures/colour_spline.h"
@@ -126,32 +125,25 @@ static void release(void *block) {
     p->sum = NULL;
 }
 
-// The text of the sum. The keys of the basis, as in "gnoise:fade=quintic", become keys of the sum's
-// own; a comma before a digit goes on with a list.
-static int put_sum_text(const marble_parameters *p, char *out, size_t size) {
+// The sum of octaves of the basis, with the texture's own seed.
+static bl_status open_sum(marble_parameters *p, bl_message *message) {
     static const char *const clamps[] = {"none", "hard", "fade", "fade"};
-    size_t name = strcspn(p->basis, ":");
-    int length = snprintf(out, size,
-                          "fbm:seed=%llu,octaves=%d,lacunarity=2.17,gain=100/217,seeds=same,"
-                          "clamp=%s,basis=%.*s",
-                          (unsigned long long)p->seed, OCTAVES, clamps[p->seeing.filter], (int)name,
-                          p->basis);
-    for (const char *c = p->basis + name; *c && length > 0 && (size_t)length + 8 < size; c++) {
-        int starts = *c == ':' ? c == p->basis + name : *c == ',' && !isdigit((unsigned char)c[1]);
-        length +=
-            starts ? snprintf(out + length, 8, ",basis.") : snprintf(out + length, 2, "%c", *c);
-    }
-    return length > 0 && (size_t)length + 8 < size;
+    char octaves[128], *text = NULL;
+    snprintf(octaves, sizeof octaves,
+             "fbm:seed=%llu,octaves=%d,lacunarity=2.17,gain=100/217,seeds=same,clamp=%s",
+             (unsigned long long)p->seed, OCTAVES, clamps[p->seeing.filter]);
+    bl_status status = bl_text_nest(octaves, "basis", p->basis, &text, message);
+    if (status == BL_OK)
+        status = bl_noise_open(text, BL_ISA_BASELINE, &p->sum, message);
+    free(text);
+    return status;
 }
 
 static bl_status build(void *block, bl_opener *open, bl_message *message) {
     (void)open;
     marble_parameters *p = block;
-    char text[2 * BL_TEXT_SIZE];
     p->sum = NULL;
-    if (!put_sum_text(p, text, sizeof text))
-        return bl_report(message, BL_USAGE, "the basis '%s' is too long", p->basis);
-    bl_status status = bl_noise_open(text, BL_ISA_BASELINE, &p->sum, message);
+    bl_status status = open_sum(p, message);
     if (status == BL_OK && p->sum->dimensions < 3)
         status =
             bl_report(message, BL_USAGE, "the basis '%s' must have three dimensions", p->basis);

@@ -2,23 +2,17 @@
 #include "reports/figures/gallery.h"
 
 #include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "sources/source.h"
 
 enum { LONGEST_LABEL = 44, LONGEST_KEY = 40 };
 
 // The text without its seed, short enough for the head of a panel.
-static const char *label_of(bl_run *run, const char *text) {
-    const char *seed = strstr(text, "seed=");
-    if (!seed || seed == text || (seed[-1] != ':' && seed[-1] != ','))
-        return bl_run_text(run, strlen(text) > LONGEST_LABEL ? "%.*s..." : "%.*s", LONGEST_LABEL,
-                           text);
-    const char *rest = seed + strcspn(seed, ",:"); // of a program, ":" and its words
-    int before = (int)(seed - text) - 1;           // without the colon or the comma
-    const char *joint = *rest != ',' ? "" : seed[-1] == ':' ? ":" : ",";
-    const char *whole =
-        bl_run_text(run, "%.*s%s%s", before, text, joint, *rest == ',' ? rest + 1 : rest);
-    return strlen(whole) > LONGEST_LABEL ? bl_run_text(run, "%.*s...", LONGEST_LABEL, whole)
-                                         : whole;
+static const char *label_of(bl_run *run, const bl_signal *signal) {
+    const char *text = bl_run_keep(run, bl_source_text_unseeded(signal), free);
+    return bl_run_text(run, strlen(text) > LONGEST_LABEL ? "%.*s..." : "%.*s", LONGEST_LABEL, text);
 }
 
 // Letters and digits of the label; what repeats an earlier key gets its number.
@@ -47,7 +41,7 @@ bl_gallery bl_gallery_open(bl_run *run, const char *const *texts, size_t count) 
     bl_gallery gallery = {.signal = signals, .label = labels, .key = keys};
     for (size_t i = 0; i < count; i++) {
         signals[i] = bl_run_seeded_signal(run, texts[i]);
-        labels[i] = label_of(run, signals[i]->text);
+        labels[i] = label_of(run, signals[i]);
         keys[i] = key_of(run, &gallery, i, labels[i]);
         gallery.count++;
         bl_run_setting(run, bl_run_text(run, "signal (%c%.0zu)", (int)('a' + i % 26), i / 26),
