@@ -254,6 +254,8 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
     }
 }
 
+BL_ROW_OF_POINTS
+
 // --- the plain loop -----------------------------------------------------------------------------
 
 // A generator a cell: eight impulses a cell on average.
@@ -333,9 +335,5 @@ BL_NOISE_DESCRIPTOR(gabor_noise) = {
     .describe = describe,
     .has_closed_form = bl_lattice_has_closed_form,
     .textbook = textbook,
-    .functions = {.points = points,
-                  .value = value,
-                  .values = values,
-                  .gradient = gradient,
-                  BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

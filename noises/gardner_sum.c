@@ -157,6 +157,8 @@ static void points(const void *parameters, const double *const at[BL_AXES], size
     }
 }
 
+BL_ROW_OF_POINTS
+
 // --- the reference in double --------------------------------------------------------------------
 
 static double wave(double turns, double *slope) {
@@ -311,9 +313,6 @@ BL_NOISE_DESCRIPTOR(gardner_sum) = {
     .textbook = textbook,
     .textbook_settings = "",
     .has_closed_form = has_closed_form,
-    .functions = {.points = points,
-                  .value = value,
-                  .values = values,
-                  .gradient = gradient,
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient,
                   .covariance = covariance},
 };

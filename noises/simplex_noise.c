@@ -97,6 +97,8 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
         points_of(p, 4, at, count, out);
 }
 
+BL_ROW_OF_POINTS
+
 // --- the reference in double --------------------------------------------------------------------
 
 typedef struct simplex_lattice {
@@ -307,9 +309,5 @@ BL_NOISE_DESCRIPTOR(simplex_noise) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
-    .functions = {.points = points,
-                  .value = value,
-                  .values = values,
-                  .gradient = gradient,
-                  BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

@@ -238,6 +238,8 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
     }
 }
 
+BL_ROW_OF_POINTS
+
 // --- closed forms -------------------------------------------------------------------------------
 
 // The size of the spot's volume beside that of radius 1.
@@ -329,9 +331,5 @@ BL_NOISE_DESCRIPTOR(spot_noise) = {
     .describe = describe,
     .has_closed_form = bl_lattice_has_closed_form,
     .textbook = textbook,
-    .functions = {.points = points,
-                  .value = value,
-                  .values = values,
-                  .gradient = gradient,
-                  BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, .values = values, .gradient = gradient, BL_NOISE_CLOSED_FORM},
 };

@@ -51,13 +51,19 @@ static void row(const void *block, const double start[BL_AXES], const double ste
                 size_t count, float *out) {
     const value_parameters *p = block;
     bl_value_noise noise = value_noise_of(block);
-    bl_value_row_in(&noise, p->dimensions, start, step, count, out);
+    if (p->dimensions == 3)
+        bl_value_row(&noise, start, step, 0, count, out);
+    else
+        bl_value_row_in(&noise, p->dimensions, start, step, count, out);
 }
 
 static void points(const void *block, const double *const at[BL_AXES], size_t count, float *out) {
     const value_parameters *p = block;
     bl_value_noise noise = value_noise_of(block);
-    bl_value_points_in(&noise, p->dimensions, at, count, out);
+    if (p->dimensions == 3)
+        bl_value_points(&noise, at, count, out);
+    else
+        bl_value_points_in(&noise, p->dimensions, at, count, out);
 }
 
 static double reference(const void *block, const bl_value_noise *noise, const double at[BL_AXES],

@@ -113,6 +113,8 @@ static void points(const void *block, const double *const at[BL_AXES], size_t co
     }
 }
 
+BL_ROW_OF_POINTS
+
 static double covariance(const void *block, const double lag[BL_AXES]) {
     const white_parameters *p = block;
     double product = BL_VALUE_VARIANCE(BL_LATTICE_VALUES);
@@ -204,5 +206,5 @@ BL_NOISE_DESCRIPTOR(white_noise) = {
     .describe = describe,
     .has_closed_form = has_closed_form,
     .textbook = textbook,
-    .functions = {.points = points, .value = value, BL_NOISE_CLOSED_FORM},
+    .functions = {BL_NOISE_FUNCTIONS, BL_NOISE_CLOSED_FORM},
 };

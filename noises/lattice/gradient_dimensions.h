@@ -95,10 +95,6 @@ static inline void bl_gradient_in_points(const void *parameters, const double *c
 static inline void bl_gradient_points_in(const bl_gradient_noise *noise, unsigned dimensions,
                                          const double *const at[BL_AXES], size_t count,
                                          float *out) {
-    if (dimensions == 3) {
-        bl_gradient_points(noise, at, count, out);
-        return;
-    }
     const bl_gradient_in in = {noise, dimensions};
     bl_gradient_in_points(&in, at, count, out);
 }
@@ -177,10 +173,6 @@ static inline void bl_gradient_lines_planes(const bl_gradient_in *in, const bl_r
 static inline void bl_gradient_row_in(const bl_gradient_noise *noise, unsigned dimensions,
                                       const double start[BL_AXES], const double step[BL_AXES],
                                       size_t count, float *out) {
-    if (dimensions == 3) {
-        bl_gradient_row(noise, start, step, 0, count, out);
-        return;
-    }
     const bl_gradient_in in = {noise, dimensions};
     bl_row_lines lines;
     bl_row_block block;

@@ -99,10 +99,6 @@ static inline void bl_value_block_in(const bl_point_block *restrict block,
 
 static inline void bl_value_points_in(const bl_value_noise *noise, unsigned dimensions,
                                       const double *const at[BL_AXES], size_t count, float *out) {
-    if (dimensions == 3) {
-        bl_value_points(noise, at, count, out);
-        return;
-    }
     const bl_interp_shape *shape = &bl_interp_shapes[noise->interp];
     bl_point_block block;
     float weight[BL_AXES][BL_KNOTS][BL_BLOCK], value[BL_BLOCK];
@@ -170,10 +166,6 @@ static inline void bl_value_lines_planes(const bl_row_lines *lines, const bl_row
 static inline void bl_value_row_in(const bl_value_noise *noise, unsigned dimensions,
                                    const double start[BL_AXES], const double step[BL_AXES],
                                    size_t count, float *out) {
-    if (dimensions == 3) {
-        bl_value_row(noise, start, step, 0, count, out);
-        return;
-    }
     const bl_interp_shape *shape = &bl_interp_shapes[noise->interp];
     const bl_value_in in = {noise, dimensions};
     bl_row_lines lines;
