@@ -13,7 +13,10 @@
 #include "core/statistics.h"
 #include "textures/texture.h"
 
-enum { SEQUENCES = 4, PILOT = 32, ROUNDS = 4 };
+// A sequence is summed in runs of RUN samples, since the rounding of a sum depends on its order:
+// RUN is part of what a reference is, and no matter of how many samples fit a batch.
+enum { SEQUENCES = 4, PILOT = 32, ROUNDS = 4, RUN = 128 };
+_Static_assert((int)RUN <= (int)BL_BATCH, "a run is one batch");
 
 const char *const bl_pixel_words[] = {"box", "gaussian", NULL};
 
@@ -21,12 +24,13 @@ static double pixel_offset(bl_pixel pixel, double place) {
     return pixel == BL_PIXEL_BOX ? place - 0.5 : 0.5 * bl_normal_quantile(place + 0x1p-33);
 }
 
-// The sum of the colours at many places: in rows of floats where the signal has them and no colour,
-// whose rounding (2^-24 of a value) is far below what is converged to.
+// Adds the colours at the places of a run: in rows of floats, and the background after them, where
+// the signal has rows and no colour; their rounding (2^-24 of a value) is far below what is
+// converged to.
 static void add_colours(const bl_scene *scene, const double *x, const double *y, size_t count,
                         double sum[3]) {
     if (scene->signal->functions->colour || !scene->signal->functions->points) {
-        double rgb[3 * BL_BATCH];
+        double rgb[3 * RUN];
         bl_scene_points(scene, x, y, count, rgb);
         for (size_t i = 0; i < count; i++)
             for (size_t c = 0; c < 3; c++)
@@ -34,7 +38,7 @@ static void add_colours(const bl_scene *scene, const double *x, const double *y,
         return;
     }
     bl_gathered seen = {.count = 0};
-    float out[BL_BATCH];
+    float out[RUN];
     for (size_t i = 0; i < count; i++) {
         bl_sight sight;
         if (bl_view_see(scene->view, x[i], y[i], &sight))
@@ -52,12 +56,12 @@ static void add_colours(const bl_scene *scene, const double *x, const double *y,
 void bl_reference_pixel(const bl_scene *scene, bl_pixel pixel, double x, double y, uint32_t samples,
                         uint64_t key, double rgb[3], double *variance) {
     bl_moments moments = {0};
-    double sum[3] = {0, 0, 0}, at_x[BL_BATCH], at_y[BL_BATCH];
+    double sum[3] = {0, 0, 0}, at_x[RUN], at_y[RUN];
     for (uint64_t s = 0; s < SEQUENCES; s++) {
         double part[3] = {0, 0, 0};
         uint64_t own = bl_stream(key, s);
         for (uint32_t done = 0, count; done < samples; done += count) {
-            count = samples - done < BL_BATCH ? samples - done : BL_BATCH;
+            count = samples - done < RUN ? samples - done : RUN;
             for (uint32_t i = 0; i < count; i++) {
                 double place[2];
                 bl_sobol_place(done + i, own, place);

@@ -8,7 +8,8 @@
 #include "core/random.h"
 #include "textures/texture.h"
 
-enum { PLACES = 1 << 14, REACH = 64 }; // whole batches of places
+enum { PLACES = 1 << 14, REACH = 64 };
+_Static_assert(PLACES % BL_BATCH == 0, "whole batches of places");
 
 // Adds the finite ones of the colours at BL_BATCH random places near those that are seen; returns
 // how many see something.

@@ -64,7 +64,8 @@ static inline void bl_samples_place(const bl_samples *samples, size_t i, double 
 // The samples from `first` on, at most `most` of them; first < samples->count.
 bl_samples bl_samples_part(const bl_samples *samples, size_t first, size_t most);
 
-// How many samples those who go through many take at a time, with room for them on the stack.
+// How many samples those who go through many take at a time, with room for them on the stack. No
+// result depends on it: where sums are rounded in runs, the run has a length of its own.
 enum { BL_BATCH = 128 };
 
 // A batch that is gathered place by place: number k is that of the caller's `of[k]`.

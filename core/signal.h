@@ -148,7 +148,8 @@ double bl_signal_value(const bl_signal *signal, const double at[BL_AXES]);
 void bl_signal_values(const bl_signal *signal, const double *const at[BL_AXES], size_t count,
                       double *out);
 void bl_signal_values_gathered(const bl_signal *signal, const bl_gathered *places, double *out);
-// The filtered values; of a signal that cannot filter itself the plain ones.
+// The filtered values. A signal that cannot filter itself, such as a plugin, a program or an image
+// of the user's, leaves the footprint alone: these are the plain values at the places.
 void bl_signal_filtered_values(const bl_signal *signal, const bl_samples *samples, double *out);
 // The filtered colours, 3 numbers a sample; of a signal without them its filtered value thrice.
 void bl_signal_colours(const bl_signal *signal, const bl_samples *samples, double *rgb);

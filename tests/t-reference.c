@@ -3,10 +3,13 @@
 // Converged references: against closed forms, their stated error, and the cache.
 #include "tests/test.h"
 
+#include "aliasing/patterns.h"
 #include "aliasing/reference.h"
 #include "aliasing/reference_cache.h"
 #include "aliasing/scene.h"
+#include "core/hash.h"
 #include "tests/ripple.h"
+#include "tests/sources.h"
 #include "tests/temporary.h"
 
 enum { SIZE = 24 };
@@ -110,6 +113,56 @@ static void test_an_integral_is_used_where_it_holds(void **state) {
     }
 }
 
+// Of one sequence, its samples taken one by one: runs of 128, whatever a batch is, and the background
+// after each run.
+static double sum_of_sequence(const bl_scene *scene, double x, double y, uint32_t samples,
+                              uint64_t key, uint32_t *unseen) {
+    enum { RUN = 128 };
+    double sum = 0;
+    for (uint32_t first = 0; first < samples; first += RUN) {
+        uint32_t missed = 0;
+        for (uint32_t i = first; i < first + RUN; i++) {
+            double place[2];
+            float value;
+            bl_sight sight;
+            bl_sobol_place(i, key, place);
+            if (!bl_view_see(scene->view, x + place[0] - 0.5, y + place[1] - 0.5, &sight)) {
+                missed++;
+                continue;
+            }
+            const double *const at[BL_AXES] = {&sight.at[0], &sight.at[1], &sight.at[2],
+                                               &sight.at[3]};
+            bl_signal_points(scene->signal, at, 1, &value);
+            sum += (double)value;
+        }
+        sum += missed * scene->background[0];
+        *unseen += missed;
+    }
+    return sum;
+}
+
+static void test_a_reference_does_not_depend_on_the_batch(void **state) {
+    (void)state;
+    enum { SAMPLES = 1024, SEQUENCES = 4, KEY = 5 };
+    stage s;
+    open_stage(&s, bl_test_open_source("gnoise"), "sphere");
+    for (int c = 0; c < 3; c++)
+        s.scene.background[c] = 0.1; // not exact, so that the order of the sum shows
+    int partly = 0;
+    for (size_t i = 0; i < SIZE; i++) { // some pixels of the middle row see the rim
+        double rgb[3], variance, sum = 0, x = (double)i + 0.5, y = 0.5 * SIZE + 0.5;
+        uint32_t unseen = 0;
+        for (uint64_t q = 0; q < SEQUENCES; q++)
+            sum += sum_of_sequence(&s.scene, x, y, SAMPLES, bl_stream(KEY, q), &unseen) / SAMPLES /
+                   SEQUENCES;
+        bl_reference_pixel(&s.scene, BL_PIXEL_BOX, x, y, SAMPLES, KEY, rgb, &variance);
+        assert_near(rgb[0], sum, 0);
+        partly += unseen > 0 && unseen < SEQUENCES * SAMPLES;
+    }
+    assert_true(partly > 0);
+    close_stage(&s);
+}
+
 static void test_threads_do_not_change_a_reference(void **state) {
     (void)state;
     stage s;
@@ -193,6 +246,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_references_agree_with_closed_forms_within_their_stated_error),
         cmocka_unit_test(test_an_integral_is_used_where_it_holds),
+        cmocka_unit_test(test_a_reference_does_not_depend_on_the_batch),
         cmocka_unit_test(test_threads_do_not_change_a_reference),
         cmocka_unit_test(test_a_cached_reference_is_verified),
         cmocka_unit_test(test_a_cached_reference_is_of_the_same_values),

@@ -125,7 +125,8 @@ static void release(void *block) {
 
 // Places over 1000 x 1000 units, which have 23 waves of the coarsest term across.
 static bl_colour mean_of(const cloud_plane_parameters *p) {
-    enum { PLACES = 64 }; // not more than BL_BATCH
+    enum { PLACES = 64 };
+    _Static_assert((int)PLACES <= (int)BL_BATCH, "a row is one batch");
     static const double points[PLACES];
     bl_colour mean = {{0, 0, 0}};
     for (int j = 0; j < PLACES; j++) {

@@ -176,7 +176,8 @@ static void see_batch(const wallpaper_parameters *p, const bl_samples *samples, 
 
 BL_TEXTURE_BATCH_ABILITIES(wallpaper_parameters)
 
-enum { CELLS = 64 }; // not more than BL_BATCH
+enum { CELLS = 64 };
+_Static_assert((int)CELLS <= (int)BL_BATCH, "a row of cells is one batch");
 
 // How many of CELLS x CELLS cells have a star.
 static int count_stars(const wallpaper_parameters *p) {
