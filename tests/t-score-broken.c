@@ -18,8 +18,8 @@
 #include "tests/texts.h"
 
 // The properties of this file.
-static const char *const names[] = {"period", "stationarity", "isotropy", "continuity",
-                                    "seeds",  "far",          "gradient"};
+static const char *const names[] = {"period",     "symmetry", "stationarity", "isotropy",
+                                    "continuity", "seeds",    "far",          "gradient"};
 enum { COUNT = sizeof names / sizeof *names };
 
 static bl_score_property measure(const bl_signal *signal, const char *name, bl_size size,

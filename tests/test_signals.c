@@ -12,6 +12,8 @@ typedef struct block {
     double mean, amplitude, frequency[3], spacing, depth;
     size_t repeat;
     double (*at)(const struct block *block, const double at[BL_AXES]);
+    const bl_signal *inner;
+    bl_test_view *view;
 } block;
 
 // --- values ---
@@ -68,6 +70,10 @@ static double constant(const block *b, const double at[BL_AXES]) {
 static double broken(const block *b, const double at[BL_AXES]) {
     (void)b;
     return at[0] > 0 ? NAN : 0;
+}
+
+static double seen(const block *b, const double at[BL_AXES]) {
+    return b->view(b->inner, at);
 }
 
 // --- abilities ---
@@ -166,4 +172,12 @@ bl_signal *bl_test_constant(double level) {
 
 bl_signal *bl_test_broken(void) {
     return make((block){.at = broken}, &functions, "broken");
+}
+
+bl_signal *bl_test_seen_through(const bl_signal *inner, bl_test_view *view) {
+    block b = {.at = seen, .inner = inner, .view = view};
+    bl_signal *signal = make(b, &functions, "seen-through");
+    signal->dimensions = inner->dimensions;
+    signal->seed_offset = SIZE_MAX;
+    return signal;
 }

@@ -4,12 +4,8 @@
 //
 // Repeats. From one place, a row of steps of one cell along an axis tells every repeat within some
 // ten thousand cells; farther out the shifts 2^k, 3 2^k and 10^k cells are tried up to 2^40, and
-// what the signal states, also backwards and divided by small primes. A shift is a repeat where the
-// reference has the same values, to 10^-6 of the range, at 24 random places or more, at six of
-// which it differs from the first; a signal that hardly ever differs is not judged. Places are
-// multiples of 2^-8 cells near 0, so that adding a whole number of cells to them is exact. A period
-// that no double has is found at the nearest one: what the value changes by within two roundings of
-// the coordinate is let pass. There is no chance in it.
+// what the signal states, also backwards and divided by small primes. When a shift is a repeat, says
+// sameness.h; a signal that hardly ever differs is not judged. There is no chance in it.
 //
 // Lines. A mean that depends on the phase in the cell, or a long period, is a line in the spectrum:
 // all its power in one bin of a periodogram, however long. One long row along each axis, at 8
@@ -21,7 +17,7 @@
 // whose tail is the root of that: there u is doubled. All bins share alpha. Lines more than 80 dB
 // below the variance are rounding and not counted, and an axis with a stated period has its own
 // lines. A line does not refute a stated period of 0; it is judged against the ideal alone.
-#include "score/properties/places.h"
+#include "score/properties/sameness.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -32,10 +28,7 @@
 #include "core/grid.h"
 #include "spectra/window.h"
 
-enum { EQUAL_PLACES = 24, DIFFERENT = 6, MOST_PLACES = 4096, POWER_MOST = 40 };
-enum { CONSTANT_PLACES = 512 }; // a signal that has not differed by then is nearly constant
-#define EQUAL 1e-6              // of the range
-#define SLOPE 1e-3              // of the range
+enum { POWER_MOST = 40 };
 
 // --- repeats ------------------------------------------------------------------------------------
 
@@ -46,83 +39,41 @@ typedef struct walk {
     unsigned axis;
 } walk;
 
-static void choose_place(const walk *w, bl_random *random, double at[BL_AXES]) {
-    for (int a = 0; a < BL_AXES; a++)
-        at[a] = w->look->cell * ((double)(bl_random_bits(random) % 8192) / 256 - 16);
-}
-
-// Whether the signal is so nearly constant that no shift could be told from a repeat.
-static int is_nearly_constant(const walk *w) {
-    bl_random random = bl_score_random(w->settings, "period", 1 + w->axis);
-    double first = 0;
-    int different = 0;
-    for (int i = 0; i < CONSTANT_PLACES && different < DIFFERENT; i++) {
-        double at[BL_AXES];
-        choose_place(w, &random, at);
-        double here = bl_signal_value(w->signal, at);
-        first = i ? first : here;
-        different += !(fabs(here - first) <= EQUAL * w->look->range);
-    }
-    return different < DIFFERENT;
-}
-
-// By how much the value changes within two roundings of the coordinate along the axis: of the
-// period and of the sum; no more than SLOPE, which 24 places do not keep by chance. 0 where the
-// roundings are as long as features of the noise.
-static double change_by_rounding(const walk *w, const double at[BL_AXES]) {
-    double other[BL_AXES], rounding = 0x1p-52 * fabs(at[w->axis]), change = 0;
-    double here = bl_signal_value(w->signal, at);
-    for (int sign = -1; sign <= 1 && rounding < 0x1p-8 * w->look->cell; sign += 2) {
-        for (int a = 0; a < BL_AXES; a++)
-            other[a] = at[a];
-        other[w->axis] += sign * rounding;
-        change = fmax(change, fabs(bl_signal_value(w->signal, other) - here));
-    }
-    return fmin(change, SLOPE * w->look->range);
+static bl_score_map shift_of(const walk *w, double shift) {
+    bl_score_map map = bl_score_identity;
+    map.shift[w->axis] = shift * w->look->cell;
+    return map;
 }
 
 // Whether the signal is the same after `shift` cells.
 static int repeats(const walk *w, double shift) {
-    bl_random random = bl_score_random(w->settings, "period", 1 + w->axis);
-    double first = 0, near = EQUAL * w->look->range;
-    int different = 0;
-    for (int i = 0; i < MOST_PLACES; i++) {
-        double at[BL_AXES];
-        choose_place(w, &random, at);
-        double here = bl_signal_value(w->signal, at);
-        at[w->axis] += shift * w->look->cell;
-        double off = fabs(bl_signal_value(w->signal, at) - here);
-        if (!(off <= near) && !(off <= near + 2 * change_by_rounding(w, at)))
-            return 0;
-        first = i ? first : here;
-        different += fabs(here - first) > near;
-        if (i + 1 >= EQUAL_PLACES && different >= DIFFERENT)
-            return 1;
-    }
-    return 0; // too nearly constant to tell
+    bl_score_map map = shift_of(w, shift);
+    return bl_score_compare(w->signal, w->look, &map, BL_SAME_PLACES,
+                            bl_score_random(w->settings, "period", 1 + w->axis)) == BL_LIKE;
 }
 
 // Whether the float points repeat too.
 static int points_repeat(const walk *w, double shift) {
     bl_random random = bl_score_random(w->settings, "period", 10 + w->axis);
-    double column[BL_AXES][2 * EQUAL_PLACES];
-    float value[2 * EQUAL_PLACES];
+    double column[BL_AXES][2 * BL_SAME_PLACES];
+    float value[2 * BL_SAME_PLACES];
     int equal = 1;
-    for (int i = 0; i < EQUAL_PLACES; i++) {
+    for (int i = 0; i < BL_SAME_PLACES; i++) {
         double at[BL_AXES];
-        choose_place(w, &random, at);
+        bl_score_exact_place(w->look, &random, at);
         for (unsigned a = 0; a < BL_AXES; a++) {
             column[a][i] = at[a];
-            column[a][EQUAL_PLACES + i] = at[a] + (a == w->axis ? shift * w->look->cell : 0);
+            column[a][BL_SAME_PLACES + i] = at[a] + (a == w->axis ? shift * w->look->cell : 0);
         }
     }
     bl_signal_points(w->signal, (const double *const[]){column[0], column[1], column[2], column[3]},
-                     2 * EQUAL_PLACES, value);
-    for (int i = 0; i < EQUAL_PLACES; i++) {
-        const double at[BL_AXES] = {column[0][EQUAL_PLACES + i], column[1][EQUAL_PLACES + i],
-                                    column[2][EQUAL_PLACES + i], column[3][EQUAL_PLACES + i]};
-        equal &= fabs((double)value[i] - (double)value[EQUAL_PLACES + i]) <=
-                 10 * EQUAL * w->look->range + 2 * change_by_rounding(w, at);
+                     2 * BL_SAME_PLACES, value);
+    for (int i = 0; i < BL_SAME_PLACES; i++) {
+        const double at[BL_AXES] = {column[0][BL_SAME_PLACES + i], column[1][BL_SAME_PLACES + i],
+                                    column[2][BL_SAME_PLACES + i], column[3][BL_SAME_PLACES + i]};
+        equal &=
+            fabs((double)value[i] - (double)value[BL_SAME_PLACES + i]) <=
+            10 * BL_SAME * w->look->range + 2 * bl_score_change_by_rounding(w->signal, w->look, at);
     }
     return equal;
 }
@@ -134,11 +85,11 @@ static double walk_cells(const walk *w, size_t cells) {
     float *value = malloc((cells + 1) * sizeof *value);
     if (!value)
         return -1;
-    choose_place(w, &random, start);
+    bl_score_exact_place(w->look, &random, start);
     step[w->axis] = w->look->cell;
     bl_signal_row(w->signal, start, step, cells + 1, value);
     for (size_t i = 1; i <= cells && found == 0; i++)
-        if (fabs((double)value[i] - (double)value[0]) <= 2 * EQUAL * w->look->range &&
+        if (fabs((double)value[i] - (double)value[0]) <= 2 * BL_SAME * w->look->range &&
             repeats(w, (double)i))
             found = (double)i;
     free(value);
@@ -328,7 +279,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     axis_result axes[BL_AXES] = {{0}};
     if (!bl_score_look_at(subject, settings, result, &look))
         return BL_OK;
-    if (is_nearly_constant(&(walk){subject->signal, &look, settings, 0})) {
+    if (bl_score_is_nearly_constant(subject->signal, &look,
+                                    bl_score_random(settings, "period", 1))) {
         bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL,
                        "the signal is too nearly constant to tell a repeat");
         return BL_OK;
