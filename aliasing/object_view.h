@@ -51,7 +51,7 @@ static inline bl_jet_vector bl_object_ray(const bl_object_view *view, const doub
     double tilt = view->tilt * (M_PI / 180), turn = view->turn * (M_PI / 180);
     // Rows of the rotation into the object's axes: the inverse of turning and then tilting.
     const double c = cos(turn), s = sin(turn), ct = cos(tilt), st = sin(tilt);
-    const double into[3][3] = {{c, s * ct, -s * st}, {-s, c * ct, -c * st}, {0, st, ct}};
+    const double into[3][3] = {{c, s * ct, s * st}, {-s, c * ct, c * st}, {0, -st, ct}};
     const bl_jet camera[3] = {bl_jet_linear(pixel * (x - 0.5 * size[0]), pixel, 0),
                               bl_jet_constant(1),
                               bl_jet_linear(-pixel * (y - 0.5 * size[1]), 0, -pixel)};

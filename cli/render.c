@@ -70,16 +70,16 @@ static void settle_size(const render_settings *settings, const bl_signal *signal
             view->centre[a] = 0.5 * ((double)extent->size[a] - 1) * extent->spacing[a];
 }
 
-// Lays the pixels out, row 0 at the top. An image counts its own rows downwards.
-static bl_status settle_plane(const bl_signal *signal, slice_view *view, bl_message *message) {
+// Lays the pixels out, row 0 at the top: to the right, down, and the normal are a right-handed
+// system, so that the slice is seen along its normal.
+static bl_status settle_plane(slice_view *view, bl_message *message) {
     double directions[3][BL_AXES];
     if (!bl_directions(2, view->normal, directions))
         return bl_report(message, BL_USAGE, "--normal: not a direction");
-    double upwards = signal->extent.size[1] ? -1 : 1;
     double left = 0.5 * ((double)view->grid.width - 1), top = 0.5 * ((double)view->grid.height - 1);
     for (int a = 0; a < BL_AXES; a++) {
         view->grid.right[a] = view->spacing * directions[0][a];
-        view->grid.down[a] = -upwards * view->spacing * directions[1][a];
+        view->grid.down[a] = view->spacing * directions[1][a];
         view->grid.origin[a] =
             view->centre[a] - left * view->grid.right[a] - top * view->grid.down[a];
     }
@@ -135,7 +135,7 @@ static bl_status settle_view(bl_call *call, const bl_signal *signal, slice_view 
     if (status == BL_OK && settings->range)
         status =
             bl_read_range("range", settings->range, 0, &view->black, &view->white, &call->message);
-    return status == BL_OK ? settle_plane(signal, view, &call->message) : status;
+    return status == BL_OK ? settle_plane(view, &call->message) : status;
 }
 
 typedef struct image_outcome {
@@ -364,7 +364,8 @@ static const bl_option options[] = {
      .help = "the point at the centre; of a noise in four dimensions W, its time, too (default: "
              "0,0,0,0, the middle of an image, or as suits a texture)"},
     {"normal", BL_OPTION_WORD, AT(normal), "AXIS",
-     .help = "normal of the slice: x, y, z or DX,DY,DZ (default: z, or as suits a texture)"},
+     .help = "normal of the slice, along which it is seen: x, y, z or DX,DY,DZ (default: z, or as "
+             "suits a texture)"},
     {"range", BL_OPTION_WORD, AT(range), "LO:HI",
      .help = "PNG: the values of black and white (default: 0:1 for a texture, and for an image "
              "without negative values; -1:1 where no bounds are stated, or bounds from 0.5 to 2 "
@@ -380,7 +381,10 @@ const bl_verb bl_verb_render = {
     .operands = "SIGNAL -o FILE",
     .summary = "an image of a slice (EXR, PNG, TIFF by the name)",
     .text =
-        "EXR and TIFF hold the values as floats; PNG holds codes proportional to the value within "
+        "Of a slice with the normal z, x runs to the right and y downwards, from row 0 at the top; "
+        "so "
+        "do s and t of a texture, and the columns and rows of an image. EXR and TIFF hold the "
+        "values as floats; PNG holds codes proportional to the value within "
         "the range. Textures are drawn in colour, linear in EXR and TIFF, by the curve of sRGB in "
         "PNG, unless component= names one of its components. --components says how many values a "
         "pixel has: three are red, green and blue. The file keeps the settings as attributes.",

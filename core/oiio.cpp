@@ -610,11 +610,11 @@ void look(const bl_texels &texels, double s, double t, double width_s, double wi
                                                        : OIIO::TextureOpt::MipModeAniso;
     // More than all of the picture is all of it; so is a width that a float does not hold.
     const float across = static_cast<float>(std::fmin(width_s, 1e6));
-    const float up = static_cast<float>(std::fmin(width_t, 1e6));
+    const float down = static_cast<float>(std::fmin(width_t, 1e6));
     float result[3] = {NAN, NAN, NAN};
     const std::lock_guard<std::mutex> guard(texels.turn);
     if (!texels.system->texture(texels.handle, texels.state, options, fraction_of(s),
-                                fraction_of(-t), across, 0.0f, 0.0f, up, 3, result))
+                                fraction_of(t), across, 0.0f, 0.0f, down, 3, result))
         (void)texels.system->geterror();
     for (int c = 0; c < 3; c++)
         rgb[c] = static_cast<double>(result[c]);

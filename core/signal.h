@@ -6,6 +6,10 @@
 // stated as data. Signals are immutable after creation: all functions may be called from several
 // threads at once. Coordinates are in the unit of the signal's domain (a lattice cell for a
 // noise); a signal of fewer dimensions ignores the coordinates it does not use.
+//
+// In every picture x (of a texture s) runs to the right and y (t) downwards, as in peachey2003, so
+// that row 0 of an image, the upper one, has the least t: so do slices, views, the pictures of
+// figures, and image files that are read. A slice with another normal is seen along that normal.
 #ifndef BL_CORE_SIGNAL_H
 #define BL_CORE_SIGNAL_H
 

@@ -30,7 +30,7 @@ bl_status bl_texels_open(const char *path, bl_texels **texels, bl_message *messa
 void bl_texels_close(bl_texels *texels); // NULL is fine
 
 // The colour at (s, t) for samples of these widths; the picture spans the unit square, s to the
-// right and t upwards. NaN and infinite places give NaN. Computed in float. Thread-safe.
+// right and t downwards. NaN and infinite places give NaN. Computed in float. Thread-safe.
 void bl_texels_look(const bl_texels *texels, double s, double t, double width_s, double width_t,
                     bl_texels_reading reading, double rgb[3]);
 

@@ -423,7 +423,7 @@ void bandlimit_score_free(bandlimit_score *score);
 
 // A view says what the pixels of an image see of a texture: "flat", "plane:height=1,fov=60". A
 // method says how a pixel is sampled: "point", "supersample:n=4,pattern=jitter", or a word of the
-// texture's own key `filter`. Errors as in chapter 5.
+// texture's own key `filter`. t runs downwards in the image. Errors as in chapter 5.
 typedef struct bandlimit_view_settings {
     size_t bytes;
     const char *view;           // NULL: "flat", and "plane" for advice

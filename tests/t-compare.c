@@ -92,6 +92,15 @@ static void test_its_numbers_are_those_of_the_other_verbs(void **state) {
     double lower = csv_number(path, "gnoise", "bound_lower");
     double minimum = csv_number(path, "gnoise", "minimum");
     assert_true(lower <= minimum && minimum < -0.5);
+    // Slices: x to the right, y downwards.
+    snprintf(path, sizeof path, "%s/compare-slice/gnoise-between.exr", folder);
+    object = RUN_JSON("eval", path, "3.25", "1.5", "--json");
+    json_t *value =
+        RUN_JSON("eval", "gnoise:seed=1", "3.25", "1.5", "0.381966", "0.618034", "--json");
+    assert_near(json_real_value(json_array_get(json_object_get(object, "values"), 0)),
+                json_real_value(json_array_get(json_object_get(value, "values"), 0)), 1e-7);
+    json_decref(object);
+    json_decref(value);
 }
 
 static void test_a_program_gets_the_seed_where_its_words_have_it(void **state) {

@@ -726,7 +726,7 @@ static void test_grooves_are_lit_from_the_upper_left(void **state) {
     (void)state;
     bl_signal *bump = bl_test_open_source("bumpbrick:component=red");
     double left = seen(bump, 0.0025, 0.045, 0, 0), right = seen(bump, 0.2575, 0.045, 0, 0);
-    double lower = seen(bump, 0.13, 0.0025, 0, 0), upper = seen(bump, 0.13, 0.0875, 0, 0);
+    double upper = seen(bump, 0.13, 0.0025, 0, 0), lower = seen(bump, 0.13, 0.0875, 0, 0);
     assert_true(left > right + 0.05 && upper > lower + 0.05);
     bl_signal_free(bump);
 }
@@ -775,7 +775,7 @@ static const char *write_ramp(const char *name, int srgb) {
         for (int i = 0; i < SIDE; i++) {
             float *pixel = &values[3 * (SIDE * j + i)];
             pixel[0] = ((float)i + 0.5f) / SIDE;
-            pixel[1] = 1 - ((float)j + 0.5f) / SIDE; // upwards
+            pixel[1] = ((float)j + 0.5f) / SIDE; // downwards
             pixel[2] = 0.25f;
         }
     const bl_image image = {.width = SIDE,
@@ -825,7 +825,7 @@ static double box_sum(const float *plane, const size_t size[2], const double at[
                       const double width[2]) {
     double weight[2][64] = {{0}}, sum = 0;
     for (int a = 0; a < 2; a++) {
-        double texels = (double)size[a], middle = (a ? -at[a] : at[a]) * texels;
+        double texels = (double)size[a], middle = at[a] * texels;
         double from = middle - 0.5 * width[a] * texels, to = middle + 0.5 * width[a] * texels;
         for (double i = floor(from); i < to; i++) {
             double column = i - texels * floor(i / texels);
@@ -869,7 +869,7 @@ static void test_the_tables_of_a_picture_give_the_mean_of_any_box(void **state) 
     double row = 0, rgb[3];
     for (size_t i = 0; i < WIDTH; i++)
         row += (double)plane[1][4 * WIDTH + i] / WIDTH;
-    bl_signal_colour(signal, (const double[BL_AXES]){0.3, -4.5 / HEIGHT},
+    bl_signal_colour(signal, (const double[BL_AXES]){0.3, 4.5 / HEIGHT},
                      (const double[BL_AXES]){INFINITY, 1.0 / HEIGHT}, rgb);
     assert_near(rgb[1], row, 1e-12);
     bl_signal_free(signal);

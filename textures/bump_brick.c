@@ -83,7 +83,7 @@ static void average(double edge, double x, double width, double *height, double 
 
 static bl_colour shade(const bump_brick_parameters *p, const double at[BL_AXES],
                        const double width[BL_AXES]) {
-    static const double light[3] = {-2.0 / 7, 3.0 / 7, 6.0 / 7};
+    static const double light[3] = {-2.0 / 7, -3.0 / 7, 6.0 / 7}; // from the upper left
     const bl_brick brick = bl_brick_of(&p->sizes);
     double height[2], slope[2], place[2] = {at[0] / brick.size[0], at[1] / brick.size[1]};
     place[0] += bl_brick_shift(floor(place[1]));

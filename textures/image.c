@@ -18,7 +18,7 @@
 //            mean    the mean of the picture for every width above 0
 //   width, component   see textures/texture.h
 //
-// The picture spans the unit square, t upwards, and repeats. How wide a sample is in the picture
+// The picture spans the unit square, t downwards, and repeats. How wide a sample is in the picture
 // follows from the derivatives of (s', t'), if the noise has a gradient; else from the width as if
 // nothing was moved. Lookups but those in tables are OpenImageIO's, in float; its pyramid is wide
 // for its width, so that it blurs rather than aliases. Without any width sat looks between four
@@ -88,7 +88,6 @@ static void move(const image_parameters *p, image_samples *seen) {
     }
 }
 
-// t upwards, rows downwards.
 static void look_in_tables(const image_parameters *p, const double place[2], const double span[2],
                            double rgb[3]) {
     size_t size[2];
@@ -97,7 +96,7 @@ static void look_in_tables(const image_parameters *p, const double place[2], con
     const double box[2] = {span[0] * columns, span[1] * rows};
     for (int c = 0; c < 3; c++)
         rgb[c] = bl_summed_area_mean(p->table[c], (place[0] - floor(place[0])) * columns,
-                                     (ceil(place[1]) - place[1]) * rows, box);
+                                     (place[1] - floor(place[1])) * rows, box);
 }
 
 // How the library looks, which has no word for `sat` without a width and for `mean`.

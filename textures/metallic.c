@@ -96,5 +96,5 @@ BL_TEXTURE_DESCRIPTOR(metallic) = {
     .parameters = parameters,
     .parameters_size = sizeof(metallic_parameters),
     .describe = describe,
-    .picture = {.scale = 4, .at = {1, 0, 0}, .normal = {1, 0, 0}},
+    .picture = {.scale = 4, .at = {1, 0, 0}, .normal = {-1, 0, 0}},
     .functions = {BL_TEXTURE_FUNCTIONS}};

@@ -6,10 +6,10 @@
 //
 // Parameters
 //   scale    units across the width of the image
-//   rotate   degrees, counterclockwise
+//   rotate   of the texture against the image, degrees, counterclockwise
 //   x, y, z  the place in the middle of the image
 //
-// Rows run downwards, t upwards. The derivatives are exact and the same all over.
+// t runs downwards, as rows do. The derivatives are exact and the same all over.
 #include "aliasing/view.h"
 
 #include <math.h>
@@ -26,7 +26,7 @@ static int see(const void *block, const double size[2], double x, double y, bl_s
     double right = x - 0.5 * size[0], down = y - 0.5 * size[1];
     *sight = (bl_sight){.at = {0, 0, p->z, 0},
                         .across = {along[0], along[1]},
-                        .down = {along[1], -along[0]},
+                        .down = {-along[1], along[0]},
                         .distance = 1};
     sight->at[0] = p->x + right * sight->across[0] + down * sight->down[0];
     sight->at[1] = p->y + right * sight->across[1] + down * sight->down[1];

@@ -4,17 +4,18 @@
 //
 //   u, v: the pixel, in units of the focal length to the right and down; p: the pitch
 //   D = sin p + v cos p, how steeply the ray falls
-//   (s, t) = height (u, cos p - v sin p) / D, then turned and moved
-//   ds/du = height / D,  ds/dv = -height u cos p / D^2,  dt/dv = -height / D^2
+//   (s, t) = height (u, v sin p - cos p) / D, then turned and moved
+//   ds/du = height / D,  ds/dv = -height u cos p / D^2,  dt/dv = height / D^2
 //
 // Parameters
 //   height        of the eye above the plane, units
 //   fov           of the image's width, degrees
 //   pitch         of the line of sight below the horizon, degrees
-//   rotate, x, y  where the eye looks, degrees to the left of t, and the place below it
+//   rotate, x, y  where the eye looks, degrees to the left of -t, and the place below it
 //
-// At the horizon and above it nothing is seen. It ends where D = 1e-6, a million heights away: all
-// numbers stay below 1e30, and a footprint there is millions of millions of heights long.
+// t runs downwards in the image, towards the eye. At the horizon and above it nothing is seen. It
+// ends where D = 1e-6, a million heights away: all numbers stay below 1e30, and a footprint there
+// is millions of millions of heights long.
 #include "aliasing/view.h"
 
 #include <math.h>
@@ -26,7 +27,7 @@ typedef struct plane_parameters {
 
 static void set(const double *along, double a, double b, double *s, double *t) {
     *s = along[0] * a - along[1] * b;
-    *t = along[1] * a + along[0] * b;
+    *t = -(along[1] * a + along[0] * b);
 }
 
 static int see(const void *block, const double size[2], double x, double y, bl_sight *sight) {
@@ -60,7 +61,7 @@ static const bl_parameter parameters[] = {
     REAL(height, "1", "units", 1e-9, 1e9, "of the eye above the plane"),
     REAL(fov, "60", "degrees", 0.001, 170, "of the image's width"),
     REAL(pitch, "15", "degrees", -90, 90, "of the line of sight below the horizon"),
-    REAL(rotate, "0", "degrees", -360, 360, "of the line of sight to the left of t"),
+    REAL(rotate, "0", "degrees", -360, 360, "of the line of sight to the left of -t"),
     REAL(x, "0", "units", -1e12, 1e12, "below the eye"),
     REAL(y, "0", "units", -1e12, 1e12, "below the eye"),
     {0}};
@@ -71,7 +72,7 @@ static const char *const examples[] = {"height=2.5,fov=80,pitch=40,rotate=-35,x=
 BL_VIEW_DESCRIPTOR(plane) = {.name = "plane",
                              .title = "plane in perspective",
                              .summary = "A level plane up to the horizon, the sky above it.",
-                             .formula = "(s, t) = height (u, cos p - v sin p) / (sin p + v cos p)",
+                             .formula = "(s, t) = height (u, v sin p - cos p) / (sin p + v cos p)",
                              .parameters = parameters,
                              .parameters_size = sizeof(plane_parameters),
                              .examples = examples,

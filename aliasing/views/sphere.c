@@ -3,7 +3,7 @@
 // sphere: a sphere of radius 1 in the middle of the image.
 //
 //   |eye + far d| = 1, the nearer of two:  far = -b - sqrt(b^2 - c),  b = eye . d,  c = eye^2 - 1
-//   surface: (s, t) = scale / (2 pi) (longitude, latitude)
+//   surface: (s, t) = scale / (2 pi) (longitude, -latitude)
 //   solid: scale (x, y, z)
 //
 // Parameters: those of aliasing/object_view.h. At the poles longitude has no derivative, and
@@ -38,7 +38,7 @@ static int see(const void *block, const double size[2], double x, double y, bl_s
     }
     double unit = view->scale / (2 * M_PI);
     bl_object_set(sight, 0, bl_jet_scale(bl_jet_angle(p[1], p[0]), unit));
-    bl_object_set(sight, 1, bl_jet_scale(bl_jet_angle(p[2], bl_jet_root(ring)), unit));
+    bl_object_set(sight, 1, bl_jet_scale(bl_jet_angle(p[2], bl_jet_root(ring)), -unit));
     return 1;
 }
 
@@ -52,7 +52,7 @@ static const char *const examples[] = {"distance=1.5,tilt=-50,turn=70,fov=90",
 BL_VIEW_DESCRIPTOR(sphere) = {.name = "sphere",
                               .title = "sphere",
                               .summary = "A sphere: longitude and latitude, or a solid signal.",
-                              .formula = "(s, t) = scale / (2 pi) (longitude, latitude)",
+                              .formula = "(s, t) = scale / (2 pi) (longitude, -latitude)",
                               .parameters = parameters,
                               .parameters_size = sizeof(sphere_parameters),
                               .examples = examples,

@@ -3,7 +3,7 @@
 // torus: a ring of radius 1 with a tube of radius 0.4, in the middle of the image.
 //
 //   g(p) = sqrt((sqrt(x^2 + y^2) - 1)^2 + z^2) - 0.4, the distance from the surface
-//   surface: (s, t) = scale / (2 pi) (angle around the axis, angle around the tube)
+//   surface: (s, t) = scale / (2 pi) (angle around the axis, -angle around the tube)
 //   solid: scale (x, y, z)
 //
 // The eye walks along its ray by g, which cannot step through the surface, and ends with Newton's
@@ -86,7 +86,7 @@ static int see(const void *block, const double size[2], double x, double y, bl_s
     bl_jet around = bl_jet_angle(q[1], q[0]);
     bl_jet tube = bl_jet_angle(q[2], bl_jet_subtract(ring, bl_jet_constant(1)));
     bl_object_set(sight, 0, bl_jet_scale(around, unit));
-    bl_object_set(sight, 1, bl_jet_scale(tube, unit));
+    bl_object_set(sight, 1, bl_jet_scale(tube, -unit));
     return 1;
 }
 
@@ -100,11 +100,12 @@ static const bl_parameter parameters[] = {
 static const char *const examples[] = {"tube=0.7,tilt=80,turn=33,distance=3",
                                        "coordinates=solid,tilt=10", NULL};
 
-BL_VIEW_DESCRIPTOR(torus) = {.name = "torus",
-                             .title = "torus",
-                             .summary = "A ring: angles around it, or a solid signal.",
-                             .formula = "(s, t) = scale / (2 pi) (around the axis, the tube)",
-                             .parameters = parameters,
-                             .parameters_size = sizeof(torus_parameters),
-                             .examples = examples,
-                             .see = see};
+BL_VIEW_DESCRIPTOR(torus) = {
+    .name = "torus",
+    .title = "torus",
+    .summary = "A ring: angles around it, or a solid signal.",
+    .formula = "(s, t) = scale / (2 pi) (around the axis, -around the tube)",
+    .parameters = parameters,
+    .parameters_size = sizeof(torus_parameters),
+    .examples = examples,
+    .see = see};

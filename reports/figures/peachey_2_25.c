@@ -30,12 +30,12 @@ static double light_across(const bl_signal *bump, const bl_signal *flat, int ver
 static void claim_all(bl_run *run, const bl_signal *bump, const bl_signal *slope,
                       const bl_signal *flat) {
     double level = light_of(bump, flat, 0.13, 0.045);
-    // The first brick's groove: its left and lower sides rise to the right and upwards, so that
-    // they look to the left and down; the light comes from the upper left.
+    // The first brick's groove: its left and upper sides rise to the right and downwards, so that
+    // they look to the left and up; the light comes from the upper left.
     double left = light_across(bump, flat, 1, 0, 0.005);
     double right = light_across(bump, flat, 1, 0.255, 0.26);
-    double top = light_across(bump, flat, 0, 0.085, 0.09);
-    double bottom = light_across(bump, flat, 0, 0, 0.005);
+    double bottom = light_across(bump, flat, 0, 0.085, 0.09);
+    double top = light_across(bump, flat, 0, 0, 0.005);
     bl_make_claim(run, "peachey2003, Bump-Mapped Brick",
                   "Bent normals look like grooves: the side of a brick that faces the light is "
                   "lighter than the one that faces away, left against right.",
@@ -78,7 +78,6 @@ static void run_figure(bl_run *run) {
         .scale = 0.36,
         .samples = 3,
         .pixels = 48 * (unsigned)bl_run_pick(run, 4, 8, 20),
-        .upwards = 1,
         .unit = "pictures of 0.36 units"};
     bl_pictures_draw(run, &pictures);
     claim_all(run, bump, slope, flat);

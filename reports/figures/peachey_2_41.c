@@ -57,7 +57,7 @@ static double lookup_error(const bl_signal *picture, const bl_signal *source, un
     for (unsigned j = 0; j < pixels; j += 5)
         for (unsigned i = 0; i < pixels; i += 3) {
             double x = (i + 0.5) / pixels, y = (j + 0.5) / pixels;
-            bl_signal_colour(picture, (const double[BL_AXES]){x, 1 - y}, point, got);
+            bl_signal_colour(picture, (const double[BL_AXES]){x, y}, point, got);
             bl_signal_colour(source, (const double[BL_AXES]){x, y}, point, expected);
             for (int c = 0; c < 3; c++)
                 most = fmax(most, fabs(got[c] - expected[c]));
@@ -82,7 +82,6 @@ static void run_figure(bl_run *run) {
     bl_pictures_draw(run, &pictures);
     const bl_signal *plain = open_picture(run, "0"), *moved = open_picture(run, "0.2");
     const bl_signal *noise = bl_run_signal(run, "gnoise");
-    // The picture spans t upwards and panels run downwards: the perturbed one is shown from below.
     const bl_shown both[] = {
         {"lookup", "original, looked up", plain, .text = "image:path=original.exr,amount=0"},
         {"perturbed", "perturbed", moved, .text = "image:path=original.exr"}};

@@ -7,16 +7,16 @@
 #include "core/grid.h"
 
 // The place of the panel at (x, y), in pictures from its upper left corner; 0 for the background.
-static int place_of(const bl_shown *shown, int upwards, double x, double y, double at[BL_AXES]) {
+static int place_of(const bl_shown *shown, double x, double y, double at[BL_AXES]) {
     memcpy(at, shown->at, sizeof shown->at);
     if (shown->see)
         return shown->see(2 * x - 1, 1 - 2 * y, at);
     at[0] += shown->scale * (x - 0.5);
-    at[1] += shown->scale * (upwards ? 0.5 - y : y - 0.5);
+    at[1] += shown->scale * (y - 0.5);
     return 1;
 }
 
-static void draw_pixel(const bl_shown *shown, const bl_signal *signal, int upwards, unsigned pixels,
+static void draw_pixel(const bl_shown *shown, const bl_signal *signal, unsigned pixels,
                        unsigned samples, size_t i, size_t j, float out[3]) {
     double wide = shown->filtered ? shown->scale / pixels : bl_signal_own_width(signal);
     const double width[BL_AXES] = {wide, wide, wide, wide};
@@ -24,7 +24,7 @@ static void draw_pixel(const bl_shown *shown, const bl_signal *signal, int upwar
     for (unsigned k = 0; k < samples * samples; k++) {
         double x = ((double)i + (k % samples + 0.5) / samples) / pixels, at[BL_AXES];
         double y = ((double)j + (k / samples + 0.5) / samples) / pixels, rgb[3] = {1, 1, 1};
-        if (place_of(shown, upwards, x, y, at))
+        if (place_of(shown, x, y, at))
             bl_signal_colour(signal, at, width, rgb);
         for (int c = 0; c < 3; c++)
             sum[c] += rgb[c] / (samples * samples);
@@ -44,7 +44,7 @@ static const char *draw_one(bl_run *run, const bl_pictures *set, const bl_shown 
     schedule(dynamic, 4)
     for (size_t j = 0; j < full; j++)
         for (size_t i = 0; i < full; i++)
-            draw_pixel(shown, signal, set->upwards, pixels, samples, i / times, j / times,
+            draw_pixel(shown, signal, pixels, samples, i / times, j / times,
                        values + 3 * (full * j + i));
     const bl_attribute attribute = {"bandlimit:signal", shown->text ? shown->text : signal->text};
     const bl_image image = {.width = full,
@@ -74,16 +74,14 @@ void bl_pictures_draw(bl_run *run, const bl_pictures *pictures) {
                        shown.text ? shown.text : shown.signal->text);
         panels[i] = (bl_panel){.title = shown.title, .image = draw_one(run, pictures, &shown)};
     }
-    const bl_plot plot = {
-        .title = pictures->title,
-        .x = {bl_run_text(run, "s, %s", pictures->unit), 0, 1, 0.25, 0},
-        .y = {bl_run_text(run, "%s, %s", pictures->upwards ? "-t" : "t", pictures->unit), 1, 0,
-              0.25, 0},
-        .panels = panels,
-        .panel_count = pictures->count,
-        .columns = pictures->columns,
-        .aspect = 1,
-        .coloured = 1,
-        .pixel = 1.0 / pictures->pixels};
+    const bl_plot plot = {.title = pictures->title,
+                          .x = {bl_run_text(run, "s, %s", pictures->unit), 0, 1, 0.25, 0},
+                          .y = {bl_run_text(run, "t, %s", pictures->unit), 1, 0, 0.25, 0},
+                          .panels = panels,
+                          .panel_count = pictures->count,
+                          .columns = pictures->columns,
+                          .aspect = 1,
+                          .coloured = 1,
+                          .pixel = 1.0 / pictures->pixels};
     bl_run_plot(run, pictures->name, &plot, pictures->alternative);
 }

@@ -6,8 +6,7 @@
 
 #include "reports/measure.h"
 
-// One panel. Its places are those of a square about `at`, s to the right and t downwards as in the
-// text's pictures, unless `see` says what stands at (x, y) in [-1, 1] (y upwards): it fills the
+// One panel. Its places are those of a square about `at`, s to the right and t downwards, unless `see` says what stands at (x, y) in [-1, 1] (y upwards): it fills the
 // place, or gives 0 for the background, which is white.
 typedef struct bl_shown {
     const char *key;           // of the file: letters, digits and '-'
@@ -29,7 +28,6 @@ typedef struct bl_pictures {
     unsigned pixels;
     unsigned samples; // what neither filters itself nor is coarse is averaged over `samples` x
                       // `samples` places in each pixel, all else is seen at its middle; 0: one
-    int upwards;      // t runs upwards, as in views and in `render`
     const char *unit; // of the axes, which run from 0 to 1 picture
 } bl_pictures;
 
