@@ -158,7 +158,7 @@ SELECTED := $(sort $(foreach test,$(TESTS),$(if $(findstring $(T),$(test)),$(tes
 endif
 
 # Functions and a program of a user's, some of them bad, for the tests that open them.
-USER_SOURCES := $(BUILD)/tests/plugins/functions.so $(BUILD)/tests/plugins/child
+USER_SOURCES := $(BUILD)/tests/plugins/functions.so $(BUILD)/tests/plugins/races.so $(BUILD)/tests/plugins/child
 $(BUILD)/tests/plugins/%.so: tests/plugins/%.c include/bandlimit_plugin.h
 	@mkdir -p $(@D)
 	$(call say,link)
@@ -167,7 +167,7 @@ $(BUILD)/tests/plugins/%: tests/plugins/%.c
 	@mkdir -p $(@D)
 	$(call say,link)
 	$(Q)$(CC) -std=gnu17 -D_GNU_SOURCE $(C_WARNINGS) -O1 -g $< -o $@
-$(addprefix $(BUILD)/tests/,t-plugin t-program t-compare t-cli-score): | $(USER_SOURCES)
+$(addprefix $(BUILD)/tests/,t-plugin t-program t-compare t-cli-score t-race): | $(USER_SOURCES)
 
 $(BUILD)/tests/t-install: | all $(BUILD)/installed/libbandlimit.a
 

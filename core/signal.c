@@ -78,6 +78,7 @@ static bl_signal *copy_with(const bl_signal *signal, const uint64_t *seed) {
     copy->seed_offset = signal->seed_offset;
     copy->dimensions = signal->dimensions;
     copy->name = signal->name;
+    copy->is_serial = signal->is_serial;
     copy->closed_form = signal->closed_form;
     copy->facts = signal->facts;
     copy->extent = signal->extent;

@@ -106,6 +106,7 @@ struct bl_signal {
     size_t parameters_size;
     size_t seed_offset; // of the uint64_t seed in the block, or SIZE_MAX for a signal without one
     unsigned dimensions;
+    int is_serial;    // calls come one by one: its source takes no two at a time
     int closed_form;  // whether the covariance (and the density) hold for these parameters
     char *text;       // the canonical text that names it, owned
     const char *name; // the registry name, or the word "image"

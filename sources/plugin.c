@@ -308,6 +308,7 @@ static bl_status make_signal(plugin_source *plugin, plugin_block *block, bl_sign
     made->name = "plugin";
     made->seed_offset = offsetof(plugin_block, seed);
     made->dimensions = block->dims;
+    made->is_serial = plugin->one_at_a_time;
     bl_plugin_claims_state(&claims, &made->facts);
     status = bl_signal_build(made, message);
     if (status == BL_OK)

@@ -361,6 +361,7 @@ static bl_status make_signal(const char *text, const program_block *block, bl_si
         return bl_report(message, BL_DEVICE, "out of memory opening '%s'", text);
     made->name = "program";
     made->dimensions = block->dims;
+    made->is_serial = 1; // each child answers one question at a time
     if (bl_command_has_seed(block->program->words))
         made->seed_offset = offsetof(program_block, seed);
     bl_status status = bl_signal_build(made, message);

@@ -7,7 +7,10 @@
 // instruction set; every bit must agree. This is done with scattered points and with rows along
 // every axis and across them, near the origin and far away. The starts and steps of rows are
 // multiples of 2^-10, so that start + i*step is exact and a piece of a row has the places of the
-// whole.
+// whole. A function of the user's own is also asked by more threads than there are processors, for
+// a while, so that a race is found (race.h); our own are held to be free of them by the tests. One
+// that says that it is not thread-safe, or that answers from processes of its own, is called by one
+// thread at a time, and its races are not looked for.
 //
 // Rows, points and the double reference are three routes to one function: they must agree to
 // 32 * 2^-24 * max(1, bound) where the signal states its bound, which is the rounding that float
@@ -22,6 +25,7 @@
 #include <string.h>
 
 #include "core/hash.h"
+#include "score/properties/race.h"
 #include "score/properties/sampling.h"
 #include "score/score.h"
 
@@ -46,6 +50,7 @@ typedef struct trial {
     double largest, lower, upper;               // of the values, in size and in sign
     double row_error_at[BL_AXES];
     size_t compared;
+    int is_raced;         // races were looked for, or found
     int is_near;          // the questions are near the origin
     char difference[300]; // "" while there is none
     char hole[160];       // the first place near the origin whose value is not finite
@@ -269,6 +274,29 @@ static size_t try_scales(trial *t) {
     return scales;
 }
 
+// Before anything else is asked, so that threads meet in what a function makes at its first call.
+static void look_for_race(trial *t, bl_race *race) {
+    const bl_signal *signal = t->subject->signal;
+    double seconds = bl_size_pick(t->settings->size, 2, 4, 10) * 0.1;
+    race->is_found = 0;
+    t->is_raced = !signal->definition && !signal->is_serial && !bl_score_on_grid(signal) &&
+                  bl_race_find(signal, t->settings->seed, seconds, race);
+}
+
+static void tell_race(trial *t, const bl_race *race) {
+    snprintf(t->difference, sizeof t->difference,
+             "%s asked for while other threads ask (a race): %.9g alone, %.9g then at %s",
+             race->what, race->alone, race->together,
+             bl_score_place_text(t->subject->signal, race->at).text);
+}
+
+// What was done with several threads, for the sentence of a signal that passes.
+static const char *thread_text(const trial *t) {
+    return t->is_raced                     ? ", from more threads than processors"
+           : t->subject->signal->is_serial ? ", one call at a time as it asks,"
+                                           : ", from several threads";
+}
+
 static void judge(trial *t, size_t scales, bl_score_property *result) {
     const bl_score_subject *subject = t->subject;
     double bound = bl_score_bound(subject->signal);
@@ -307,11 +335,11 @@ static void judge(trial *t, size_t scales, bl_score_property *result) {
                        t->row_error, t->point_error, allowed);
     else
         bl_score_judge(result, BL_VERDICT_PASS, BL_AGAINST_CLAIM,
-                       "the same bits twice, backwards, in pieces, from %d threads and by %zu "
+                       "the same bits twice, backwards, in pieces%s and by %zu "
                        "instruction set%s, at %zu scale%s of coordinates; rows and points are "
                        "within %.2g of the double reference",
-                       THREADS, subject->variant_count + 1, subject->variant_count ? "s" : "",
-                       scales, scales == 1 ? "" : "s", worst);
+                       thread_text(t), subject->variant_count + 1,
+                       subject->variant_count ? "s" : "", scales, scales == 1 ? "" : "s", worst);
 }
 
 static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
@@ -329,7 +357,12 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);
         t->twin = bl_signal_reseed(signal, seed);
     }
-    judge(t, try_scales(t), result);
+    bl_race race;
+    look_for_race(t, &race);
+    size_t scales = try_scales(t);
+    if (race.is_found && !t->difference[0]) // of two faults the one that a single thread shows
+        tell_race(t, &race);
+    judge(t, scales, result);
     bl_signal_free(t->twin);
     free(t);
     return BL_OK;
