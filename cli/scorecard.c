@@ -43,6 +43,7 @@ bl_status bl_scorecard_measure(bl_call *call, const char *text, const char *doin
     bl_status status =
         bl_score_subject_open(card->signal, text, call->isa, &subject, &call->message);
     if (status == BL_OK) {
+        bl_score_subject_scale(&subject, settings);
         status = measure_each(call, doing, &subject, settings, wanted, &card->score);
         bl_score_subject_close(&subject);
     }

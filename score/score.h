@@ -60,6 +60,23 @@ typedef struct bl_score_property {
     bl_score_claim claims[BL_SCORE_CLAIMS];
 } bl_score_property;
 
+// The scale of a signal, found from its values (score/properties/scale.h).
+typedef enum bl_score_variation {
+    BL_SCALE_NOT_SOUGHT,  // yet
+    BL_VARIES,            // its values are related over a distance
+    BL_VARIES_NOWHERE,    // all values are one number
+    BL_VARIES_EVERYWHERE, // values are unrelated at any distance
+    BL_VARIES_SLOWLY      // values are related at any distance: it has no scale
+} bl_score_variation;
+
+typedef struct bl_score_scale {
+    bl_score_variation variation;
+    double length;   // the shortest correlation length of all axes, units; NAN without
+    double lattice;  // the distance of the planes of its lattice, units; 0: none was seen
+    double stated;   // the cell that the signal states; NAN: none
+    double constant; // the share of places that have the commonest value
+} bl_score_scale;
+
 // What is measured: the signal, and the same signal compiled for other instruction sets (none for
 // a signal that is not of the registry). All are the caller's.
 typedef struct bl_score_subject {
@@ -67,6 +84,7 @@ typedef struct bl_score_subject {
     const bl_signal *variants[BL_SCORE_VARIANTS];
     const char *variant_names[BL_SCORE_VARIANTS];
     size_t variant_count;
+    bl_score_scale scale; // sought by bl_score_measure where it was not before
 } bl_score_subject;
 
 // The signal, and where it is a noise the same noise, by its text, for the other instruction sets
@@ -84,6 +102,9 @@ typedef struct bl_score_settings {
     double level;  // of the confidence intervals that are shown, 0.95
     int threads;   // 0: as many as OpenMP gives
 } bl_score_settings;
+
+// Finds the scale once for several measurements.
+void bl_score_subject_scale(bl_score_subject *subject, const bl_score_settings *settings);
 
 typedef struct bl_property {
     BL_ENTRY(title, question); // the name is the JSON key, the title the column of the table
