@@ -335,6 +335,7 @@ static void test_the_smallest_kink_that_counts_is_found(void **state) {
         assert_non_null(signal);
         signal->dimensions = inner->dimensions;
         signal->facts = bl_facts_unknown();
+        signal->facts.cell = 1; // by which slopes are measured
         bl_score_property found = quick(signal, "continuity");
         assert_near(number_of(&found, "class"), i == 0 ? 2 : 0, 0);
         bl_signal_free(signal);
