@@ -31,7 +31,7 @@ LIBRARY_OBJECTS := $(LIBRARY_C:%.c=$(BUILD)/%.o) \
 PROGRAM_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(wildcard cli/*.c))
 TESTS := $(patsubst tests/%.c,%,$(wildcard tests/t-*.c))
 TEST_HELPERS := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(wildcard tests/t-*.c),$(wildcard tests/*.c)))
-IMAGE_OBJECTS := $(BUILD)/core/oiio.o $(BUILD)/core/status.o
+IMAGE_OBJECTS := $(BUILD)/core/oiio.o $(BUILD)/core/colourspace.o $(BUILD)/core/status.o
 OBJECTS := $(LIBRARY_OBJECTS) $(IMAGE_OBJECTS) $(PROGRAM_OBJECTS) $(TESTS:%=$(BUILD)/tests/%.o) $(TEST_HELPERS)
 
 # Expanded when first used, and once: `make deps` may have to install pkg-config first.

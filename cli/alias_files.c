@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "cli/csv.h"
+#include "core/colourspace.h"
 #include "core/image.h"
 #include "reports/output.h"
 #include "textures/texture.h"
@@ -16,11 +17,6 @@ typedef struct picture_files {
     const bl_view *view;
     float *values; // room for the pixels of one image
 } picture_files;
-
-// The curve of IEC 61966-2-1, for the eye: a PNG is shown as it is.
-static double srgb(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055;
-}
 
 static bl_status write_image(const picture_files *files, const char *name, const char *what,
                              const char *ending, size_t channels, double black, double white) {
@@ -50,7 +46,7 @@ static bl_status write_colours(const picture_files *files, const char *name, con
         files->values[i] = (float)rgb[i];
     bl_status status = write_image(files, name, what, "exr", 3, 0, 0);
     for (size_t i = 0; i < count; i++)
-        files->values[i] = (float)srgb(fmin(fmax(rgb[i], 0), 1));
+        files->values[i] = (float)bl_srgb_encode(fmin(fmax(rgb[i], 0), 1)); // for the eye
     return status == BL_OK ? write_image(files, name, what, "png", 3, 0, 1) : status;
 }
 

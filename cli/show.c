@@ -36,7 +36,7 @@ static json_t *parameters_json(const bl_parameter *parameter) {
             bl_json_set_number(object, "minimum", parameter->minimum);
             bl_json_set_number(object, "maximum", parameter->maximum);
         }
-        if (parameter->kind == BL_CHOICE)
+        if (parameter->choices)
             json_object_set_new(object, "choices", bl_json_texts(parameter->choices, SIZE_MAX));
         bl_json_set_text(object, "help", parameter->help);
         json_array_append_new(list, object);
@@ -49,11 +49,11 @@ static void range_text(const bl_parameter *parameter, char *text, size_t size) {
     *text = '\0';
     if (parameter->kind == BL_SEED)
         snprintf(text, size, "0 to 2^64-1");
-    else if (parameter->kind == BL_TEXT)
+    else if (parameter->kind == BL_TEXT && !parameter->choices)
         snprintf(text, size, *parameter->unit ? "a list of" : "a path");
     else if (parameter->kind == BL_NESTED)
         snprintf(text, size, "any of `bandlimit list noises`, its keys as %s.KEY", parameter->key);
-    else if (parameter->kind != BL_CHOICE) // no maximum is "inf"
+    else if (parameter->kind != BL_CHOICE && parameter->kind != BL_TEXT) // no maximum is "inf"
         snprintf(text, size, "%.10g to %.10g", parameter->minimum, parameter->maximum);
     else
         for (size_t i = 0; parameter->choices[i] && used < size; i++)
@@ -73,6 +73,10 @@ static void print_parameters(FILE *out, const bl_parameter *parameter) {
 }
 
 static void facts_json(json_t *object, const bl_signal *signal) {
+    char note[256];
+    bl_signal_note(signal, note, sizeof note);
+    if (*note)
+        bl_json_set_text(object, "values", note);
     const bl_facts *facts = &signal->facts;
     double bound[2] = {facts->lower, facts->upper}, band[2] = {facts->band_from, facts->band_to};
     char class[16];
@@ -92,6 +96,13 @@ static void facts_json(json_t *object, const bl_signal *signal) {
     bl_json_set_number(list, "far", facts->far);
     json_object_set_new(list, "closed_form", json_boolean(bl_signal_has_closed_form(signal)));
     json_object_set_new(object, "facts", list);
+}
+
+static void print_note(FILE *out, const bl_signal *signal) {
+    char note[256];
+    bl_signal_note(signal, note, sizeof note);
+    if (*note)
+        fprintf(out, "values       %s\n", note);
 }
 
 static void print_fact(FILE *out, const char *name, double number, const char *unit) {
@@ -296,6 +307,7 @@ static bl_status show_definition(bl_call *call, const bl_registry *registry, con
                 definition->summary, definition->formula);
         fprintf(call->out, "\nsource       %s\ndimensions   %u\n", definition->paper,
                 signal->dimensions);
+        print_note(call->out, signal);
         print_example(call->out, &d);
         print_parameters(call->out, definition->parameters);
         print_facts(call->out, signal);
@@ -315,6 +327,7 @@ static void print_source(FILE *out, const bl_source *source, const bl_signal *si
         fprintf(out, "axis %c       %zu sample%s, %g unit%s between them\n", "xyzw"[a],
                 signal -> extent.size[a], bl_plural(signal->extent.size[a]),
                 signal->extent.spacing[a], signal->extent.spacing[a] == 1 ? "" : "s");
+    print_note(out, signal);
     if (!source->sampled || !isnan(signal->facts.period[0]))
         print_facts(out, signal);
 }

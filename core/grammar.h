@@ -76,7 +76,7 @@ typedef struct bl_parameter {
     const char *fallback;        // the default, as text
     const char *unit;            // "" if none
     double minimum, maximum;     // BL_INTEGER, BL_REAL, BL_LIST, and the N of a choice; inclusive
-    const char *const *choices;  // BL_CHOICE: the words, NULL at the end
+    const char *const *choices;  // BL_CHOICE: the words, NULL at the end; BL_TEXT: some of them
     size_t number_offset;        // BL_CHOICE with ":N": where the uint32_t N stands
     const char *const *examples; // optional: values that the tests try besides; NULL at the end
     const char *help;            // one line

@@ -94,10 +94,11 @@ void bl_pixels_close(bl_pixels *pixels) {
         loaded()->pixels_close(pixels);
 }
 
-bl_status bl_texels_open(const char *path, bl_texels **texels, bl_message *message) {
+bl_status bl_texels_open(const char *path, const bl_colourspace *space, bl_texels **texels,
+                         bl_message *message) {
     const bl_image_library *library;
     bl_status status = bl_image_library_load(&library, message);
-    return status == BL_OK ? library->texels_open(path, texels, message) : status;
+    return status == BL_OK ? library->texels_open(path, space, texels, message) : status;
 }
 
 void bl_texels_close(bl_texels *texels) {
@@ -120,6 +121,10 @@ void bl_texels_bounds(const bl_texels *texels, double least[3], double most[3]) 
 
 void bl_texels_size(const bl_texels *texels, size_t size[2]) {
     loaded()->texels_size(texels, size);
+}
+
+const char *bl_texels_note(const bl_texels *texels) {
+    return loaded()->texels_note(texels);
 }
 
 void bl_texels_plane(const bl_texels *texels, int component, float *out) {

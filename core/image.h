@@ -8,6 +8,7 @@
 
 #include <stddef.h>
 
+#include "core/colourspace.h"
 #include "core/status.h"
 
 // A setting that travels with an image, as an attribute of the file.
@@ -43,24 +44,28 @@ typedef struct bl_pixels bl_pixels;
 
 typedef struct bl_pixels_choice {
     const char *path;
-    const char *channel; // its name; NULL: the first
-    int channel_index;   // where no channel has that name (bl_channel_index); -1: none
-    int part;            // of a multi-part file; -1: not chosen
-    size_t memory_bytes; // held at most; a larger image is read in blocks
+    const char *channel;        // its name; NULL: the first
+    int channel_index;          // where no channel has that name (bl_channel_index); -1: none
+    int part;                   // of a multi-part file; -1: not chosen
+    size_t memory_bytes;        // held at most; a larger image is read in blocks
+    bl_colourspace colourspace; // of colours; the numbers of other channels are as stored
 } bl_pixels_choice;
 
 typedef struct bl_pixels_facts {
     size_t width, height;
     char spacing[64]; // what the file says of "bandlimit:spacing"; "" if nothing
+    char note[256];   // what the values are: the channel, its scale and its colours, in words
 } bl_pixels_facts;
 
 // The index that a channel is called by, or -1.
 int bl_channel_index(const char *channel);
 
-// Opens the pixels, whose values are as stored; integers are divided by their full scale. The whole
+// Opens the pixels. Integers of 8 and 16 bits are divided by their full scale; those of more are
+// numbers of things, and stay as they are (a float holds them up to 2^24). The whole
 // image is read once, so that a damaged one is refused here. The caller ends with bl_pixels_close.
 // Errors: BL_USAGE for a channel or part that is not there; BL_MISMATCH for a file of several parts
-// of which none is chosen, and for one that is not one plane of pixels; BL_DEVICE for a file that
+// of which none is chosen, for one that is not one plane of pixels, and for one whose colours are
+// asked for as the file says, in words that are not known; BL_DEVICE for a file that
 // is missing, unreadable or damaged, and without memory. Thread-safe.
 bl_status bl_pixels_open(const bl_pixels_choice *choice, bl_pixels **pixels, bl_pixels_facts *facts,
                          bl_message *message);

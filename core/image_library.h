@@ -30,13 +30,15 @@ typedef struct bl_image_library {
     void (*pixels_span)(const bl_pixels *pixels, size_t x, size_t y, size_t count, float *out);
     void (*pixels_close)(bl_pixels *pixels);
     // ... and of core/texels.h.
-    bl_status (*texels_open)(const char *path, bl_texels **texels, bl_message *message);
+    bl_status (*texels_open)(const char *path, const bl_colourspace *space, bl_texels **texels,
+                             bl_message *message);
     void (*texels_close)(bl_texels *texels);
     void (*texels_look)(const bl_texels *texels, double s, double t, double width_s, double width_t,
                         bl_texels_reading reading, double rgb[3]);
     void (*texels_mean)(const bl_texels *texels, double rgb[3]);
     void (*texels_bounds)(const bl_texels *texels, double least[3], double most[3]);
     void (*texels_size)(const bl_texels *texels, size_t size[2]);
+    const char *(*texels_note)(const bl_texels *texels);
     void (*texels_plane)(const bl_texels *texels, int component, float *out);
 } bl_image_library;
 

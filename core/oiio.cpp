@@ -23,6 +23,7 @@
 #include <OpenImageIO/texture.h>
 
 extern "C" {
+#include "core/colourspace.h"
 #include "core/image_library.h"
 #include "core/version.h"
 }
@@ -50,15 +51,6 @@ void range_of(const bl_image &image, size_t count, double &black, double &white)
         white = black + 1;
 }
 
-// The curve of IEC 61966-2-1 and its inverse, on [0, 1].
-double encode_srgb(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
-double decode_srgb(double code) {
-    return code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
-}
-
 template <typename Code>
 std::vector<Code> codes_of(const bl_image &image, size_t count, double black, double white) {
     const double full = static_cast<Code>(~Code{0});
@@ -67,7 +59,7 @@ std::vector<Code> codes_of(const bl_image &image, size_t count, double black, do
         const double share = (image.values[i] - black) / (white - black);
         // fmax gives 0 for NaN, so the cast below always sees a number in [0, full + 0.5).
         const double inside = std::fmin(std::fmax(share, 0.0), 1.0);
-        codes[i] = static_cast<Code>((image.srgb ? encode_srgb(inside) : inside) * full + 0.5);
+        codes[i] = static_cast<Code>((image.srgb ? bl_srgb_encode(inside) : inside) * full + 0.5);
     }
     return codes;
 }
@@ -281,10 +273,22 @@ struct bl_pixels {
             for (size_t i = 0; i < count; i++)
                 out[i] = NAN;
         }
+        for (size_t i = 0; i < count; i++)
+            out[i] = finished(out[i]);
+    }
+
+    // From a share of the full scale to a whole number, or from a code to light.
+    template <typename Number> float finished(Number value) const {
+        return static_cast<float>(whole_scale > 0 ? std::rint(value * whole_scale)
+                                  : space.curve == BL_COLOURS_LINEAR
+                                      ? value
+                                      : bl_colourspace_decode(&space, value));
     }
 
     const size_t width, height;
     std::vector<float> held;
+    double whole_scale = 0; // of integers that stay as they are; 0: none
+    bl_colourspace space = {BL_COLOURS_LINEAR, 0};
 
   private:
     const int left, top, part, channel;
@@ -366,11 +370,71 @@ bl_status check_shape(const OIIO::ImageSpec &spec, const char *path, bl_message 
     return BL_OK;
 }
 
+// The full scale of integers of this type; 0 of floats.
+double full_scale_of(OIIO::TypeDesc type) {
+    switch (type.basetype) {
+    case OIIO::TypeDesc::UINT8:
+        return 0xff;
+    case OIIO::TypeDesc::INT8:
+        return 0x7f;
+    case OIIO::TypeDesc::UINT16:
+        return 0xffff;
+    case OIIO::TypeDesc::INT16:
+        return 0x7fff;
+    case OIIO::TypeDesc::UINT32:
+        return 0xffffffff;
+    case OIIO::TypeDesc::INT32:
+        return 0x7fffffff;
+    case OIIO::TypeDesc::UINT64:
+        return 0x1p64;
+    case OIIO::TypeDesc::INT64:
+        return 0x1p63;
+    default:
+        return 0;
+    }
+}
+
+// How the codes of a file stand for light, where that is asked for; and why it is taken so.
+bl_status find_colourspace(const OIIO::ImageSpec &spec, const char *path,
+                           const bl_colourspace &asked, bl_colourspace &space, std::string &why,
+                           bl_message *message) {
+    const std::string word{spec.get_string_attribute("oiio:ColorSpace")};
+    space = asked;
+    why = "as asked";
+    if (asked.curve != BL_COLOURS_OF_FILE)
+        return BL_OK;
+    why = "the file says " + word;
+    if (word.empty()) {
+        const double full = full_scale_of(spec.format);
+        space = {full > 0 && full <= 0xff ? BL_COLOURS_SRGB : BL_COLOURS_LINEAR, 0};
+        why = space.curve == BL_COLOURS_SRGB ? "assumed of 8 bits, the file says nothing"
+                                             : "assumed, the file says nothing";
+    } else if (!bl_colourspace_of_file(word.c_str(), spec.get_float_attribute("oiio:Gamma"),
+                                       &space)) {
+        return bl_report(message, BL_MISMATCH,
+                         "'%s' says that its colours are '%s', which is not known here; give "
+                         "colourspace=linear, srgb or a power",
+                         path, word.c_str());
+    }
+    return BL_OK;
+}
+
+std::string text_of(const bl_colourspace &space) {
+    char text[64];
+    bl_colourspace_text(&space, text, sizeof text);
+    return text;
+}
+
+bool is_colour(const OIIO::ImageSpec &spec, int channel) {
+    return channel != spec.alpha_channel && channel != spec.z_channel;
+}
+
 // Rows y to end - 1 of one channel. Scanlines are read one by one: the library's way of reading
 // several at once does not notice when a TIFF ends early (OpenImageIO pull request 5336).
+template <typename Number>
 bool read_rows(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int part, int channel, int y,
-               int end, float *out) {
-    const OIIO::TypeDesc type = OIIO::TypeDesc::FLOAT;
+               int end, Number *out) {
+    const OIIO::TypeDesc type = OIIO::BaseTypeFromC<Number>::value;
     if (spec.tile_width)
         return input.read_tiles(part, 0, spec.x, spec.x + spec.width, y, end, spec.z, spec.z + 1,
                                 channel, channel + 1, type, out);
@@ -380,21 +444,54 @@ bool read_rows(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int part, i
     return true;
 }
 
-// Reads all rows once in strips, which finds a damaged file now, and keeps them if asked to.
+// Reads all rows once in strips, which finds a damaged file now, and keeps them if asked to. Whole
+// numbers come through doubles, which hold them.
+template <typename Number>
 bl_status read_all(OIIO::ImageInput &input, const OIIO::ImageSpec &spec, int part, int channel,
                    bool keep, const char *path, bl_pixels &pixels, bl_message *message) {
     const int lines = spec.tile_width ? spec.tile_height : 64;
-    std::vector<float> strip(pixels.width * static_cast<size_t>(lines));
+    std::vector<Number> strip(pixels.width * static_cast<size_t>(lines));
     if (keep)
         pixels.held.resize(pixels.width * pixels.height);
     for (int y = spec.y; y < spec.y + spec.height; y += lines) {
         const int end = std::min(y + lines, spec.y + spec.height);
         if (!read_rows(input, spec, part, channel, y, end, strip.data()))
             return report_reading(path, input.geterror(), message);
-        if (keep)
-            std::copy_n(strip.data(), pixels.width * static_cast<size_t>(end - y),
-                        &pixels.held[static_cast<size_t>(y - spec.y) * pixels.width]);
+        if (!keep)
+            continue;
+        float *const held = &pixels.held[static_cast<size_t>(y - spec.y) * pixels.width];
+        const size_t count = pixels.width * static_cast<size_t>(end - y);
+        for (size_t i = 0; i < count; i++)
+            held[i] = pixels.finished(strip[i]);
     }
+    return BL_OK;
+}
+
+// What the values of a channel are.
+bl_status describe_channel(const OIIO::ImageSpec &spec, const bl_pixels_choice &choice, int channel,
+                           bl_pixels &pixels, bl_pixels_facts &facts, bl_message *message) {
+    const OIIO::TypeDesc type = spec.channelformat(channel);
+    const double full = full_scale_of(type);
+    std::string text = std::string{type.c_str()} + " of the channel " +
+                       std::string{spec.channel_name(channel)} + ", as stored";
+    if (full > 0xffff) {
+        pixels.whole_scale = full;
+    } else {
+        std::string why;
+        if (full > 0)
+            text += " over " + std::to_string(static_cast<int>(full));
+        if (is_colour(spec, channel)) {
+            const bl_status status =
+                find_colourspace(spec, choice.path, choice.colourspace, pixels.space, why, message);
+            if (status != BL_OK)
+                return status;
+        }
+        if (pixels.space.curve != BL_COLOURS_LINEAR)
+            text += ", made linear from " + text_of(pixels.space) + " (" + why + ")";
+        else if (full > 0 && choice.colourspace.curve == BL_COLOURS_LINEAR)
+            text += "; colourspace=file would make light of colours";
+    }
+    std::snprintf(facts.note, sizeof facts.note, "%s", text.c_str());
     return BL_OK;
 }
 
@@ -418,7 +515,13 @@ bl_status open_pixels(const bl_pixels_choice &choice, bl_pixels **out, bl_pixels
     auto pixels = std::make_unique<bl_pixels>(spec, choice.path, part, channel);
     const double bytes = 4.0 * spec.width * spec.height;
     const bool keep = bytes <= static_cast<double>(choice.memory_bytes);
-    status = read_all(*input, spec, part, channel, keep, choice.path, *pixels, message);
+    status = describe_channel(spec, choice, channel, *pixels, facts, message);
+    if (status != BL_OK)
+        return status;
+    status =
+        pixels->whole_scale > 0
+            ? read_all<double>(*input, spec, part, channel, keep, choice.path, *pixels, message)
+            : read_all<float>(*input, spec, part, channel, keep, choice.path, *pixels, message);
     if (status != BL_OK)
         return status;
     if (!keep)
@@ -438,6 +541,7 @@ struct Picture {
     size_t width = 0, height = 0;
     std::vector<float> rgb;
     double mean[3] = {0, 0, 0}, least[3], most[3];
+    std::string note; // how the colours were read
 };
 
 const char picture_name[] = "bandlimit:picture"; // of the attribute with its address
@@ -497,11 +601,14 @@ void draw_card(Picture &picture) {
         }
 }
 
-bl_status read_picture(const char *path, Picture &picture, bl_message *message) {
+bl_status read_picture(const char *path, const bl_colourspace &asked, Picture &picture,
+                       bl_message *message) {
     bl_status status = check_file(path, message);
     if (status != BL_OK)
         return status;
-    auto input = OIIO::ImageInput::open(path);
+    OIIO::ImageSpec hints;
+    hints.attribute("oiio:UnassociatedAlpha", 1); // codes are decoded as stored, not times alpha
+    auto input = OIIO::ImageInput::open(path, &hints);
     if (!input)
         return report_reading(path, OIIO::geterror(), message);
     const OIIO::ImageSpec spec = input->spec();
@@ -515,13 +622,20 @@ bl_status read_picture(const char *path, Picture &picture, bl_message *message) 
     std::vector<float> read(width * height * static_cast<size_t>(channels));
     if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, read.data()))
         return report_reading(path, input->geterror(), message);
-    const bool encoded = spec.get_string_attribute("oiio:ColorSpace") == "sRGB";
+    bl_colourspace space;
+    std::string why;
+    if ((status = find_colourspace(spec, path, asked, space, why, message)) != BL_OK)
+        return status;
+    picture.note =
+        (space.curve == BL_COLOURS_LINEAR ? "linear" : "made linear from " + text_of(space)) +
+        " (" + why + ")" +
+        (spec.alpha_channel >= 0 ? "; alpha is left aside, colours are as stored" : "");
     picture.width = width;
     picture.height = height;
     picture.rgb.resize(3 * width * height);
     for (size_t i = 0; i < picture.rgb.size(); i++) {
         const double code = read[channels == 3 ? i : i / 3];
-        picture.rgb[i] = static_cast<float>(encoded ? decode_srgb(code) : code);
+        picture.rgb[i] = static_cast<float>(bl_colourspace_decode(&space, code));
     }
     return BL_OK;
 }
@@ -565,14 +679,16 @@ struct bl_texels {
 
 namespace {
 
-bl_status open_texels(const char *path, bl_texels **out, bl_message *message) {
+bl_status open_texels(const char *path, const bl_colourspace &space, bl_texels **out,
+                      bl_message *message) {
     auto texels = std::make_unique<bl_texels>();
     if (*path) {
-        bl_status status = read_picture(path, texels->picture, message);
+        bl_status status = read_picture(path, space, texels->picture, message);
         if (status != BL_OK)
             return status;
     } else {
         draw_card(texels->picture);
+        texels->picture.note = "linear, of the built-in card";
     }
     measure_picture(texels->picture);
     texels->system = OIIO::TextureSystem::create(false);
@@ -652,8 +768,9 @@ void pixels_close(bl_pixels *pixels) {
     delete pixels;
 }
 
-bl_status texels_open(const char *path, bl_texels **texels, bl_message *message) {
-    return catching(path, message, [&] { return open_texels(path, texels, message); });
+bl_status texels_open(const char *path, const bl_colourspace *space, bl_texels **texels,
+                      bl_message *message) {
+    return catching(path, message, [&] { return open_texels(path, *space, texels, message); });
 }
 
 void texels_close(bl_texels *texels) {
@@ -683,6 +800,10 @@ void texels_size(const bl_texels *texels, size_t size[2]) {
     size[1] = texels->picture.height;
 }
 
+const char *texels_note(const bl_texels *texels) {
+    return texels->picture.note.c_str();
+}
+
 void texels_plane(const bl_texels *texels, int component, float *out) {
     const std::vector<float> &rgb = texels->picture.rgb;
     for (size_t i = static_cast<size_t>(component); i < rgb.size(); i += 3)
@@ -693,5 +814,5 @@ void texels_plane(const bl_texels *texels, int component, float *out) {
 
 // BL_IMAGE_LIBRARY_SYMBOL, all that this shared object exports.
 extern "C" __attribute__((visibility("default"))) const bl_image_library bl_image_library_table = {
-    BL_VERSION,   write,       pixels_open, pixels_span,   pixels_close, texels_open,
-    texels_close, texels_look, texels_mean, texels_bounds, texels_size,  texels_plane};
+    BL_VERSION,  write,       pixels_open,   pixels_span, pixels_close, texels_open, texels_close,
+    texels_look, texels_mean, texels_bounds, texels_size, texels_note,  texels_plane};

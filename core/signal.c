@@ -227,6 +227,12 @@ void bl_values_of_width(void (*filtered)(const void *, const bl_samples *, doubl
              out);
 }
 
+void bl_signal_note(const bl_signal *signal, char *text, size_t size) {
+    *text = '\0';
+    if (signal->functions->note)
+        signal->functions->note(signal->parameters, text, size);
+}
+
 bl_status bl_signal_complaint(const bl_signal *signal, bl_message *message) {
     return signal->functions->complaint ? signal->functions->complaint(signal->parameters, message)
                                         : BL_OK;

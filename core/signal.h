@@ -70,6 +70,8 @@ typedef struct bl_signal_functions {
     // Optional: releases what `build` made (not the block itself). A signal that has it, and no
     // `build`, cannot be reseeded or copied.
     void (*release)(void *parameters);
+    // Optional: what was assumed of the source of the values, in words.
+    void (*note)(const void *parameters, char *text, size_t size);
     // Optional: what went wrong while values were asked for, of a signal whose source can fail (a
     // program), and of all its copies: BL_OK for nothing; BL_DEVICE if values are NaN because the
     // source failed; BL_MISMATCH if the source itself gave what is no number.
@@ -163,6 +165,8 @@ double bl_signal_filtered(const bl_signal *signal, const double at[BL_AXES],
                           const double width[BL_AXES]);
 void bl_signal_colour(const bl_signal *signal, const double at[BL_AXES],
                       const double width[BL_AXES], double rgb[3]);
+// What was assumed of the source of the values; "" of a signal without one.
+void bl_signal_note(const bl_signal *signal, char *text, size_t size);
 bl_status bl_signal_complaint(const bl_signal *signal, bl_message *message);
 
 // The ability `values` of a signal that is nothing but filtered for a width in its block: upright,

@@ -17,6 +17,7 @@
 // The settings of an image, as the grammar reads them. Indices may be left out: -1.
 typedef struct image_settings {
     double spacing, part, memory;
+    char colourspace[BL_TEXT_SIZE];
     uint32_t wrap, reading;
 } image_settings;
 
@@ -26,12 +27,15 @@ static const bl_parameter image_parameters[] = {
     BL_SPACING_PARAMETER(image_settings, "0", "between pixels; 0: from the file, else 1"),
     {"part", BL_REAL, offsetof(image_settings, part), "-1", "", .minimum = -1,
      .maximum = LARGEST_PART, .help = "of a multi-part file, from 0"},
+    {"colourspace", BL_TEXT, offsetof(image_settings, colourspace), "linear", "",
+     .choices = bl_colourspace_words,
+     .help = "linear: the numbers as stored; else light is made of a channel of colours"},
     BL_MEMORY_PARAMETER(image_settings, "held at most; a larger image is read in blocks"),
     BL_WRAP_PARAMETERS(image_settings, "pixels"),
     {0}};
 
-static const char *const image_keys[] = {"channel", "spacing", "part", "memory",
-                                         "wrap",    "interp",  NULL};
+static const char *const image_keys[] = {"channel", "spacing", "part",   "colourspace",
+                                         "memory",  "wrap",    "interp", NULL};
 
 // The channel is a name of the file's own, which the grammar's kinds do not know; it is taken out
 // of the list before the rest is read. Its string belongs to the caller then.
@@ -127,6 +131,7 @@ static bl_status refuse_code(const char *text, bl_message *message) {
 typedef struct image_block {
     bl_sampled_grid grid;
     bl_pixels *pixels; // owned
+    char note[256];    // of the pixels
 } image_block;
 
 static void image_span(const void *source, const size_t index[BL_AXES], size_t count, float *out) {
@@ -154,8 +159,15 @@ static void image_release(void *parameters) {
     bl_pixels_close(((image_block *)parameters)->pixels);
 }
 
-static const bl_signal_functions image_functions = {
-    .row = image_row, .points = image_points, .value = image_value, .release = image_release};
+static void image_note(const void *parameters, char *text, size_t size) {
+    snprintf(text, size, "%s", ((const image_block *)parameters)->note);
+}
+
+static const bl_signal_functions image_functions = {.row = image_row,
+                                                    .points = image_points,
+                                                    .value = image_value,
+                                                    .release = image_release,
+                                                    .note = image_note};
 
 // The spacing that was asked for, else the file's own, else 1.
 static bl_status find_spacing(const bl_pixels_facts *facts, const char *path, double *spacing,
@@ -174,20 +186,23 @@ static bl_status find_spacing(const bl_pixels_facts *facts, const char *path, do
 // Opens the file and makes the signal. `settings` may leave the spacing open, 0.
 static bl_status open_image(const char *text, const char *path, const char *channel,
                             const image_settings *settings, bl_signal **out, bl_message *message) {
-    const bl_pixels_choice choice = {.path = path,
-                                     .channel = channel,
-                                     .channel_index = bl_channel_index(channel),
-                                     .part = (int)settings->part,
-                                     .memory_bytes = (size_t)(settings->memory * 1048576)};
+    bl_pixels_choice choice = {.path = path,
+                               .channel = channel,
+                               .channel_index = bl_channel_index(channel),
+                               .part = (int)settings->part,
+                               .memory_bytes = (size_t)(settings->memory * 1048576)};
     bl_pixels_facts facts;
     image_block block = {.grid = {.dims = 2,
                                   .spacing = settings->spacing,
                                   .wrap = settings->wrap,
                                   .reading = settings->reading,
                                   .span = image_span}};
-    bl_status status = bl_pixels_open(&choice, &block.pixels, &facts, message);
+    bl_status status = bl_colourspace_read(settings->colourspace, &choice.colourspace, message);
+    if (status == BL_OK)
+        status = bl_pixels_open(&choice, &block.pixels, &facts, message);
     if (status != BL_OK)
         return status;
+    memcpy(block.note, facts.note, sizeof block.note);
     const size_t size[BL_AXES] = {facts.width, facts.height, 1, 1};
     memcpy(block.grid.size, size, sizeof size);
     block.grid.source = block.pixels;
@@ -207,7 +222,7 @@ static bl_status open_image(const char *text, const char *path, const char *chan
 }
 
 static bl_status open_text(const char *text, bl_signal **signal, bl_message *message) {
-    static const image_settings usual = {.part = -1, .memory = 1024};
+    static const image_settings usual = {.part = -1, .memory = 1024, .colourspace = "linear"};
     bl_status code = refuse_code(text, message);
     if (code != BL_OK)
         return code;

@@ -7,6 +7,9 @@
 //
 // Parameters
 //   path     of an image file; none: a built-in card of coloured squares (core/texels.h)
+//   colourspace   of the file's codes: file (what it says of itself; of one that says nothing, sRGB
+//            for 8 bits and linear for more), linear, srgb, gamma2.2 or the power alone; default
+//            file. The card is linear. Alpha is left aside: colours are as stored
 //   seed, noise   any noise of three dimensions; default gnoise
 //   amount   of the shift, units; default 0.2, the text's; 0: the picture as it is
 //   frequency   f, cells per unit; default 4
@@ -31,6 +34,7 @@
 // Source: peachey2003, section Perturbed Image Textures; crow1984 (sat). Deviation: f, which the
 // text leaves to the size of the object.
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "core/texels.h"
@@ -39,7 +43,7 @@
 #include "textures/sampling.h"
 
 typedef struct image_parameters {
-    char path[BL_TEXT_SIZE];
+    char path[BL_TEXT_SIZE], colourspace[BL_TEXT_SIZE];
     bl_noise_source noise;
     double amount, frequency;
     bl_seeing seeing;
@@ -175,6 +179,16 @@ static void release(void *block) {
     bl_noise_source_close(&p->noise);
 }
 
+static bl_status open_texels(image_parameters *p, bl_message *message) {
+    bl_colourspace space;
+    bl_status status = bl_colourspace_read(p->colourspace, &space, message);
+    return status == BL_OK ? bl_texels_open(p->path, &space, &p->texels, message) : status;
+}
+
+static void note(const void *block, char *text, size_t size) {
+    snprintf(text, size, "%s", bl_texels_note(((const image_parameters *)block)->texels));
+}
+
 static bl_status build(void *block, bl_opener *open, bl_message *message) {
     (void)open;
     image_parameters *p = block;
@@ -183,7 +197,7 @@ static bl_status build(void *block, bl_opener *open, bl_message *message) {
     bl_status status = bl_noise_source_open(&p->noise, p->noise.text, 3, message);
     if (status != BL_OK)
         return status;
-    status = bl_texels_open(p->path, &p->texels, message);
+    status = open_texels(p, message);
     if (status == BL_OK && p->seeing.filter == SAT)
         status = make_tables(p, message);
     if (status != BL_OK)
@@ -212,6 +226,8 @@ static void describe(const void *block, bl_facts *facts) {
 static const bl_parameter parameters[] = {
     {"path", BL_TEXT, offsetof(image_parameters, path), "", "",
      .help = "of an image file; none: a built-in card"},
+    {"colourspace", BL_TEXT, offsetof(image_parameters, colourspace), "file", "",
+     .choices = bl_colourspace_words, .help = "of the file's codes; file: what it says of itself"},
     BL_NOISE_SOURCE_PARAMETERS(image_parameters, noise, "gnoise"),
     {"amount", BL_REAL, offsetof(image_parameters, amount), "0.2", "units", .maximum = 10,
      .help = "of the shift, times the noise; 0: the picture as it is"},
@@ -231,4 +247,4 @@ BL_TEXTURE_DESCRIPTOR(image) = {
     .parameters_size = sizeof(image_parameters),
     .describe = describe,
     .picture = {.scale = 1, .at = {0.5, 0.5, 0.4}},
-    .functions = {BL_TEXTURE_FUNCTIONS, .build = build, .release = release}};
+    .functions = {BL_TEXTURE_FUNCTIONS, .build = build, .release = release, .note = note}};
