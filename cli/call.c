@@ -12,6 +12,7 @@
 #include "cli/verb.h"
 #include "core/file.h"
 #include "core/grid.h"
+#include "reports/table_json.h"
 #include "sources/source.h"
 
 // Whether a file can be written there, asked before an hour of measuring. It is made and removed;
@@ -109,6 +110,33 @@ void bl_progress(const bl_call *call, const char *format, ...) {
     va_end(arguments);
     bl_plain_text(stderr, line);
     fflush(stderr);
+}
+
+void bl_call_may_warn(bl_call *call) {
+    if (!call->warnings)
+        call->warnings = json_array();
+}
+
+void bl_call_warn(bl_call *call, const char *format, ...) {
+    char text[1024];
+    va_list arguments;
+    size_t index;
+    json_t *said;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    bl_call_may_warn(call);
+    json_array_foreach(call->warnings, index, said) {
+        if (strcmp(json_string_value(said), text) == 0)
+            return;
+    }
+    json_array_append_new(call->warnings, bl_json_text(text));
+    if (call->is_hushed)
+        return;
+    bl_progress(call, NULL);
+    fprintf(stderr, "bandlimit %s: warning: ", call->verb->name);
+    bl_plain_text(stderr, text);
+    fputc('\n', stderr);
 }
 
 int bl_call_coloured(const bl_call *call) {

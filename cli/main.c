@@ -155,6 +155,8 @@ static bl_status run_verb(bl_call *call) {
     }
     bl_status status = bl_call_complaints(call, call->verb->run(call));
     bl_progress(call, NULL);
+    if (call->json && call->warnings)
+        json_object_set(call->json, "warnings", call->warnings);
     if (!is_error(call, status) && call->common.json && !bl_json_print(call->json, call->out) &&
         !ferror(call->out))
         status = bl_report(&call->message, BL_DEVICE, "out of memory writing JSON");
@@ -232,6 +234,7 @@ static bl_status run_with(bl_call *call, const bl_option_table *own, int count, 
         status = settle_common(call);
     if (status == BL_OK)
         status = check_operands(call);
+    call->is_hushed = call->common.quiet;
     if (status == BL_OK)
         status = settle_standard_output(call);
     return status == BL_OK ? run_verb(call) : status;
@@ -286,6 +289,7 @@ int main(int count, char **words) {
     }
     bl_call_unwatch(&call);
     json_decref(call.json);
+    json_decref(call.warnings);
     bl_words_free(&call.operands);
     return (int)status;
 }

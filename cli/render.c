@@ -7,6 +7,7 @@
 
 #include "cli/components.h"
 #include "cli/json.h"
+#include "cli/render_warning.h"
 #include "core/plain.h"
 #include "cli/verb.h"
 #include "cli/words.h"
@@ -293,6 +294,8 @@ static bl_status fill_and_write(bl_call *call, const bl_signal *signal, slice_vi
     else if (status == BL_OK)
         status = write_image(call, signal, view, values);
     if (status == BL_OK)
+        bl_render_warn(call, signal, &view->grid, view->spacing);
+    if (status == BL_OK)
         report(call, signal, view, &outcome);
     return status;
 }
@@ -382,10 +385,10 @@ const bl_verb bl_verb_render = {
     .summary = "an image of a slice (EXR, PNG, TIFF by the name)",
     .text =
         "Of a slice with the normal z, x runs to the right and y downwards, from row 0 at the top; "
-        "so "
-        "do s and t of a texture, and the columns and rows of an image. EXR and TIFF hold the "
-        "values as floats; PNG holds codes proportional to the value within "
-        "the range. Textures are drawn in colour, linear in EXR and TIFF, by the curve of sRGB in "
+        "so do s and t of a texture, and the columns and rows of an image. A pixel is the value at "
+        "its middle; a warning tells where that is too coarse, and what would do. EXR and TIFF "
+        "hold the values as floats; PNG holds codes proportional to the value within the range. "
+        "Textures are drawn in colour, linear in EXR and TIFF, by the curve of sRGB in "
         "PNG, unless component= names one of its components. --components says how many values a "
         "pixel has: three are red, green and blue. The file keeps the settings as attributes.",
     .least = 1,

@@ -50,6 +50,25 @@ bl_status bl_spectral_measure(bl_call *call, const bl_spectral *options, const b
     return bl_psd_measure(signal, &settings, psd, &call->message);
 }
 
+void bl_spectral_warn(bl_call *call, const bl_signal *signal, const bl_psd *psd, double allowed) {
+    const bl_resolution found = bl_psd_resolution(signal, &psd->settings, allowed);
+    const double most = 1e6; // of --rate
+    char remedy[64];
+    bl_call_may_warn(call);
+    if (!(found.rate > psd->settings.rate))
+        return;
+    if (found.rate <= most)
+        snprintf(remedy, sizeof remedy, "--rate %.9g would do", found.rate);
+    else
+        snprintf(remedy, sizeof remedy, "no --rate up to %g would do", most);
+    bl_call_warn(
+        call,
+        "%.3g samples a unit do not resolve '%s': of its variance %.2g or more lies beyond "
+        "%.4g cycles per unit (Nyquist) and folds back; %s (%.2g allowed)",
+        psd->settings.rate, signal->text, found.beyond, 0.5 * psd->settings.rate, remedy,
+        found.allowed);
+}
+
 static const char *place_word(const bl_signal *signal, const bl_psd *psd) {
     return on_grid(signal) ? "grid" : bl_spectral_places[psd->settings.place == BL_PLACE_LATTICE];
 }

@@ -52,6 +52,10 @@ bl_status bl_spectral_settings(bl_call *call, const bl_spectral *options, const 
 bl_status bl_spectral_measure(bl_call *call, const bl_spectral *options, const bl_signal *signal,
                               bl_psd *psd);
 
+// Warns where more than the share `allowed` of the variance lies beyond Nyquist, with the rate that
+// would do.
+void bl_spectral_warn(bl_call *call, const bl_signal *signal, const bl_psd *psd, double allowed);
+
 // Adds how the spectrum was taken, the variance, and the arrays over frequency.
 void bl_spectral_json(json_t *object, const bl_signal *signal, const bl_psd *psd);
 

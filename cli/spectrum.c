@@ -179,6 +179,7 @@ static bl_status run_spectrum(bl_call *call) {
     if (status == BL_OK)
         status = bl_spectral_measure(call, &settings->spectral, signal, &psd);
     if (status == BL_OK) {
+        bl_spectral_warn(call, signal, &psd, BL_RESOLUTION_SPECTRUM);
         status = report(call, signal, &psd, bands, count);
         bl_psd_free(&psd);
     }

@@ -46,6 +46,8 @@ typedef struct bl_call {
     const char *path; // of the data file or folder (-o); NULL: none; "-": data to standard output
     FILE *out;        // the report: stdout, or the file of -o
     json_t *json;     // with --json: the verb's object; NULL until it is made
+    json_t *warnings; // texts; NULL: the verb looks for nothing to warn of
+    int is_hushed;    // --quiet was given
     bl_message message;
     bl_signal **watched; // copies of the signals whose source may fail
     size_t watched_count;
@@ -104,6 +106,12 @@ bl_status bl_call_open_seeded(bl_call *call, bl_signal **signal);
 
 // Threads to use: what --threads says, or what OpenMP gives.
 int bl_call_threads(const bl_call *call);
+
+// Warns on standard error, unless --quiet is given, and in the member `warnings` of the JSON object.
+// What was said already is not said again. bl_call_may_warn gives the object that member, which
+// stays empty where all is well.
+void bl_call_may_warn(bl_call *call);
+void bl_call_warn(bl_call *call, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 // One line of progress, overwritten by the next, to stderr when that is a terminal and --quiet is
 // not given; NULL clears it.

@@ -160,9 +160,9 @@ static void describe(const void *block, bl_facts *facts) {
     facts->far = 0x1p52;
     facts->stationary = 1;
     facts->isotropic = p->cell == 0;
+    facts->covariance_reach = p->cell;
     if (!(p->cell > 0))
         return;
-    facts->covariance_reach = p->cell;
     facts->band_from = 0;
     facts->band_to = 1 / p->cell;
     facts->leak_db = -10.12; // 10 log10(0.0971767) = -10.1243, rounded up

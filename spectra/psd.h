@@ -24,6 +24,7 @@
 #include "core/size.h"
 #include "core/statistics.h"
 #include "core/verdict.h"
+#include "spectra/resolution.h"
 #include "spectra/window.h"
 
 typedef enum bl_place {
@@ -95,6 +96,10 @@ size_t bl_psd_usual_averages(const bl_signal *signal, unsigned dims, bl_size siz
 bl_status bl_psd_measure(const bl_signal *signal, const bl_psd_settings *settings, bl_psd *psd,
                          bl_message *message);
 void bl_psd_free(bl_psd *psd);
+
+// Whether these samples resolve the signal, of settings that are resolved, as those of a result.
+bl_resolution bl_psd_resolution(const bl_signal *signal, const bl_psd_settings *settings,
+                                double allowed);
 
 // The degrees of freedom of the median bin, NAN out of memory; the index of the highest bin.
 double bl_psd_median_dof(const bl_psd *psd);

@@ -216,3 +216,12 @@ BAD_CLAIM(bad_flags, claims->flags = 1u << 30)
 BAD_CLAIM(bad_size, claims->size = 8)
 // A struct of a later version, longer than this one.
 BAD_CLAIM(long_claims, memset((char *)claims + sizeof *claims, 0, 64))
+
+// --- detail that nobody states ---
+
+BANDLIMIT_EXPORT bandlimit_function fine; // 100.3 cycles per unit along x
+
+double fine(const double p[4], unsigned dims, uint64_t seed, void *user) {
+    (void)dims, (void)seed, (void)user;
+    return sin(6.283185307179586 * (100.3 * p[0] + 0.4 * p[1]));
+}
