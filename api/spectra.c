@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Chapter 5: spectra, distributions, and the verdict on a band.
+#include <math.h>
+
 #include "api/api.h"
 
 #include <stdlib.h>
@@ -69,7 +71,7 @@ bandlimit_status bandlimit_spectrum_measure(const bandlimit_signal *signal,
                                      .mean = psd->mean,
                                      .variance = bl_api_estimate(&psd->variance),
                                      .variance_theory = psd->variance_theory,
-                                     .guard = bl_psd_guard(psd),
+                                     .guard = bl_psd_smear(psd),
                                      .parseval_residual = psd->parseval_residual,
                                      .owned = psd};
     return BANDLIMIT_OK;
@@ -99,9 +101,7 @@ bandlimit_status bandlimit_check(const bandlimit_spectrum *spectrum, bandlimit_b
     bl_band_limit own = {.from = limit->from,
                          .to = limit->to != 0 ? limit->to : 1,
                          .limit_db = limit->limit_db != 0 ? limit->limit_db : -30,
-                         .guard = limit->guard > 0    ? limit->guard
-                                  : limit->guard == 0 ? spectrum->guard
-                                                      : 0};
+                         .guard = fmax(0, limit->guard)};
     if (!(own.from >= 0 && own.to > own.from && own.limit_db <= 0))
         return (bandlimit_status)bl_report(
             bl_api_message(message), BL_USAGE,

@@ -21,9 +21,26 @@ typedef struct check_settings {
 static void find_band(const bl_table *table, size_t row, bl_cell *cell) {
     (void)row;
     const bl_band_limit *limit = table->rows;
-    snprintf(cell->text, sizeof cell->text, "%g : %g cycles per unit, guard %.3g", limit->from,
-             limit->to, limit->guard);
+    int used =
+        snprintf(cell->text, sizeof cell->text, "%g : %g cycles per unit", limit->from, limit->to);
+    if (limit->guard > 0)
+        snprintf(cell->text + used, sizeof cell->text - (size_t)used, ", guard %.3g", limit->guard);
     cell->word = cell->text;
+}
+
+// How far the window spreads power over the edges, and how much power is there.
+static void find_edges(const bl_table *table, size_t row, bl_cell *cell) {
+    (void)row;
+    const bl_band_limit *limit = table->rows;
+    snprintf(cell->text, sizeof cell->text,
+             "%.2f dB of the variance within %.3g cycles per unit, inside or outside",
+             limit->edge_db, bl_psd_smear(table->context));
+    cell->word = cell->text;
+}
+
+static void find_smear(const bl_table *table, size_t row, bl_cell *cell) {
+    (void)row;
+    cell->value = bl_psd_smear(table->context);
 }
 
 // clang-format off
@@ -33,12 +50,16 @@ static const bl_field limit_fields[] = {
     {"band", "band", BL_CELL_WORD, .find = find_band, .forms = BL_IN_TEXT},
     {"band", NULL, BL_CELL_LIST, AT(from), .length = 2}, // from and to
     {"guard_cycles_per_unit", NULL, BL_CELL_REAL, AT(guard)},
+    {"smear_cycles_per_unit", NULL, BL_CELL_REAL, .find = find_smear},
+    {"edge_db", NULL, DB, AT(edge_db)},
     {"leak_db", "leak", DB, AT(leak_db)},
     {"lower_db", "lower limit", DB, AT(lower_db)},
     {"upper_db", "upper limit", DB, AT(upper_db)},
+    {"edges", "at its edges", BL_CELL_WORD, .find = find_edges, .forms = BL_IN_TEXT},
     {"limit_db", "allowed", DB, AT(limit_db)},
     {"verdict", "verdict", BL_CELL_VERDICT, AT(verdict), .forms = BL_IN_TEXT},
     {"needed_averages", NULL, BL_CELL_COUNT, AT(needed_averages)},
+    {"needed_size", NULL, BL_CELL_COUNT, AT(needed_size)},
     {0}};
 #undef DB
 #undef AT
@@ -48,7 +69,9 @@ static void report_json(json_t *object, const bl_signal *signal, const bl_psd *p
                         const bl_band_limit *limit) {
     bl_json_set_text(object, "verdict", bl_verdict_word(limit->verdict));
     bl_json_set_count(object, "exit_status", (uint64_t)bl_verdict_status(limit->verdict));
-    bl_record_json(object, &BL_RECORD(limit_fields, limit), 0);
+    bl_table record = BL_RECORD(limit_fields, limit);
+    record.context = psd;
+    bl_record_json(object, &record, 0);
     bl_json_set_text(object, "db_reference",
                      "total variance; null stands for -inf (no leak at all)");
     bl_spectral_json(object, signal, psd);
@@ -60,18 +83,24 @@ static void report_text(bl_call *call, const bl_signal *signal, const bl_psd *ps
     const check_settings *settings = call->settings;
     bl_spectral_print(out, &settings->spectral, signal, psd);
     bl_table record = BL_RECORD(limit_fields, limit);
+    record.context = psd;
     record.coloured = bl_call_coloured(call);
     fputc('\n', out);
     bl_record_print(&record, out);
-    if (limit->verdict == BL_VERDICT_INCONCLUSIVE && limit->needed_averages)
+    if (limit->needed_size && !signal->extent.size[0])
+        fprintf(
+            out, "%s of about %zu samples would tell the edge from what is beyond: --size %zu\n",
+            psd->settings.dims == 1 ? "lines" : "sides", limit->needed_size, limit->needed_size);
+    else if (limit->needed_size)
+        fprintf(out, "the samples are too few to tell the edge from what is beyond\n");
+    else if (limit->needed_averages)
         fprintf(out, "about %zu averages would settle it: --average %zu\n", limit->needed_averages,
                 limit->needed_averages);
 }
 
-// Finds the verdict and gives it to the user.
-static bl_status judge(bl_call *call, const bl_signal *signal, const bl_psd *psd,
-                       bl_band_limit *limit) {
-    bl_psd_band_limit(psd, limit);
+// Gives the verdict to the user.
+static bl_status report(bl_call *call, const bl_signal *signal, const bl_psd *psd,
+                        const bl_band_limit *limit) {
     if (bl_json_start(call))
         report_json(call->json, signal, psd, limit);
     else if (!call->common.quiet)
@@ -101,7 +130,8 @@ static bl_status refuse_of_band(bl_call *call) {
 
 static bl_status run_check(bl_call *call) {
     const check_settings *settings = call->settings;
-    bl_band_limit limit = {.limit_db = settings->leak_db};
+    bl_band_limit limit = {.limit_db = settings->leak_db, .guard = settings->guard};
+    bl_psd_settings wanted;
     bl_signal *signal;
     bl_psd psd;
     bl_status status = settings->claims ? refuse_of_band(call) : BL_OK;
@@ -115,16 +145,18 @@ static bl_status run_check(bl_call *call) {
         status = bl_call_open(call, call->operands.words[0], &signal);
     if (status != BL_OK)
         return status;
-    status = bl_spectral_measure(call, &settings->spectral, signal, &psd);
+    status = bl_spectral_settings(call, &settings->spectral, signal, &wanted);
+    if (status == BL_OK) {
+        int is_fixed = settings->spectral.size || signal->extent.size[0];
+        bl_progress(call, "measuring %s ...", signal->text);
+        status = bl_psd_judge_band(signal, &wanted, is_fixed, &psd, &limit, &call->message);
+    }
     if (status == BL_OK) {
         // What folds may come to lie in the band, and be missing from the leak. Below -40 dB it is
         // not seen by the measurement of it.
         double leak = fmax(pow(10, 0.1 * settings->leak_db), 1e-4);
         bl_spectral_warn(call, signal, &psd, fmin(leak, BL_RESOLUTION_SPECTRUM));
-        limit.guard = settings->guard >= 0 ? settings->guard : bl_psd_guard(&psd);
-        status = bl_psd_check_limit(&psd, &limit, &call->message);
-        if (status == BL_OK)
-            status = judge(call, signal, &psd, &limit);
+        status = report(call, signal, &psd, &limit);
         bl_psd_free(&psd);
     }
     bl_signal_free(signal);
@@ -140,10 +172,8 @@ static const bl_option options[] = {
     {"leak", BL_OPTION_REAL, offsetof(check_settings, leak_db), "DB", .fallback = "-30",
      .minimum = -300, .maximum = 0,
      .help = "share of the variance allowed outside of the band, dB of the variance"},
-    {"guard", BL_OPTION_REAL, offsetof(check_settings, guard), "G", .fallback = "-1", .minimum = -1,
-     .maximum = 1e6,
-     .help = "cycles per unit beyond both edges that are not judged; -1: half the main lobe of the "
-             "window, which smears power from just inside the edge"},
+    {"guard", BL_OPTION_REAL, offsetof(check_settings, guard), "G", .fallback = "0", .minimum = 0,
+     .maximum = 1e6, .help = "cycles per unit beyond both edges that are not judged"},
     BL_SPECTRAL_OPTIONS(check_settings),
     {"claims", BL_OPTION_FLAG, offsetof(check_settings, claims),
      .help = "judge every fact that the signal states, by the scorecard, in place of one band; "
@@ -161,9 +191,12 @@ const bl_verb bl_verb_check = {
     .text =
         "Measures the share of the variance outside of the band. Pass (exit status 0): its upper "
         "confidence limit is below the leak allowed; fail (2): its lower limit is above; "
-        "inconclusive (1): the limits straddle it, and the report says how many averages would "
-        "settle it. It is an error (3) if there is nothing to judge: the signal is constant, or no "
-        "measured frequency lies in the band, or none outside of the band and its guard. --claims "
+        "inconclusive (1): the limits straddle it, and the report says how many averages, or how "
+        "long lines, would settle it. The window smears power over an edge of the band: the limits "
+        "count what lies within the smear as outside for the upper one, as inside for the lower "
+        "one. Where that leaves the verdict open, longer lines are measured, unless --size is "
+        "given. It is an error (3) if there is nothing to judge: the signal is constant, or no "
+        "measured frequency lies in the band, or none outside of it. --claims "
         "judges every fact that the signal states (its range, mean, variance, band and so on), a "
         "line a claim. A signal that states nothing is an error (3), and so is a program, which "
         "can state nothing.",

@@ -292,7 +292,7 @@ typedef struct bandlimit_spectrum {
     double mean;                 // which was removed
     bandlimit_estimate variance;
     double variance_theory; // NaN: not known
-    double guard;           // half the main lobe of the window, cycles per unit
+    double guard;           // how far the window smears power, cycles per unit
     double parseval_residual;
     void *owned; // the library's
 } bandlimit_spectrum;
@@ -314,7 +314,7 @@ typedef struct bandlimit_band_limit {
     size_t bytes;
     double from, to; // cycles per unit; `to` may be INFINITY, and 0 stands for 1
     double limit_db; // allowed outside, dB of the variance; 0 stands for -30
-    double guard;    // beyond both edges, not judged; 0: that of the window; below 0: none
+    double guard;    // beyond both edges, not judged, cycles per unit; 0: the band itself is
     double leak_db, lower_db, upper_db; // found outside; -INFINITY: nothing at all
     size_t needed_averages;             // that would settle an inconclusive verdict; 0: not known
     bandlimit_verdict verdict;

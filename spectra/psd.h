@@ -131,16 +131,39 @@ typedef struct bl_band_limit {
     double from, to, limit_db;
     double guard;                       // cycles per unit beyond both edges that are not judged
     double missed;                      // by each one-sided limit, a probability; 0: 1 - the level
-    double leak_db, lower_db, upper_db; // share outside [from, to], dB of the variance
+    double leak_db, lower_db, upper_db; // share outside of band and guard, dB of the variance
+    double edge_db;                     // share within the smear of the edges, which may be on
+                                        // either side of them, dB of the variance
     size_t needed_averages;             // that would settle an inconclusive verdict; else 0, as
                                         // where the averages are alike
+    size_t needed_size;                 // of longer lines that would; else 0
     bl_verdict verdict;
 } bl_band_limit;
 
 // One-sided limits each at the level of the settings, or that miss with the probability `missed`,
 // for levels that double cannot tell from 1. Fills what stands below these inputs.
 // No leak at all is -INFINITY dB.
+//
+// The limits are of the true leak outside of the band itself. The window smears power over an edge,
+// so what is measured beyond it may come from within, and the other way round. All that lies
+// outside is seen beyond the edge less the smear, but for the side lobes; nothing that lies inside
+// is seen beyond the edge and the smear, but for the side lobes. So the upper limit is that of the
+// power beyond the nearer bound, and the lower limit that beyond the farther one. leak_db, between
+// them, is the power beyond the edge itself: of a smooth density exact to the second order of the
+// width of a bin.
+//
+// A line on the edge itself, to a two-thousandth of a bin, belongs to the band. It is told by its
+// shape along a line of samples, and taken from the upper limit but for what does not fit.
 void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit);
+
+// Measures and judges. Where the limits straddle the leak allowed because of the smear rather than
+// by chance, lines (slices, volumes) that are longer, up to BL_PSD_LONGER times as many samples,
+// are measured and judged instead; both looks together miss as `missed` says. `is_fixed`: the size
+// is, as of a grid. Errors: those of bl_psd_measure and bl_psd_check_limit; on success the caller
+// frees the psd.
+enum { BL_PSD_LONGER = 16 };
+bl_status bl_psd_judge_band(const bl_signal *signal, const bl_psd_settings *settings, int is_fixed,
+                            bl_psd *psd, bl_band_limit *limit, bl_message *message);
 
 // Whether anything is left to judge outside of the band: a bin that lies wholly outside of the band
 // and its guard. That of frequency 0 does not count: it holds only what remains of the mean.
@@ -150,8 +173,8 @@ int bl_psd_has_outside(const bl_psd *psd, const bl_band_limit *limit);
 // nothing was measured in the band or outside of it.
 bl_status bl_psd_check_limit(const bl_psd *psd, const bl_band_limit *limit, bl_message *message);
 
-// Half the width of the window's main lobe in cycles per unit: a guard of this size keeps the
-// window's own smear of power just inside an edge from being read as the signal's leak.
-double bl_psd_guard(const bl_psd *psd);
+// How far the window and the bins smear power, side lobes aside, in cycles per unit: half the main
+// lobe, across in a slice or a volume, and half a bin.
+double bl_psd_smear(const bl_psd *psd);
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Shares of the variance in a band, and the verdict on a band limit.
+// Shares of the variance in a band.
 //
 // A bin that an edge cuts counts in proportion. Four averages and more give the interval of the
 // share as a ratio of sums over averages; fewer, as for a single large slice, by the degrees of
@@ -84,10 +84,8 @@ static bl_estimate share_by_freedom(const bl_psd *psd, double from, double to, i
     return estimate;
 }
 
-// The share in the band or outside of it, with its interval, which misses the truth with the
-// probability `missed`, on both sides together.
-static bl_estimate share_estimate(const bl_psd *psd, double from, double to, int outside,
-                                  double missed) {
+bl_estimate bl_psd_band_share(const bl_psd *psd, double from, double to, int outside,
+                              const double *less, double missed) {
     size_t averages = psd->settings.averages, stride = psd->count + 1;
     double *pairs = averages >= 4 ? calloc(2 * averages, sizeof *pairs) : NULL;
     if (!pairs) // few averages; or no memory for the better way
@@ -103,6 +101,11 @@ static bl_estimate share_estimate(const bl_psd *psd, double from, double to, int
             part_sum += part * power;
             whole += power;
         }
+    }
+    for (size_t k = 0; less && k < averages; k++) {
+        double taken = fmin(less[k], pairs[k]);
+        pairs[k] -= taken;
+        part_sum -= taken;
     }
     bl_estimate estimate = {0, 0, 0, 1 - missed, (double)averages};
     if (whole > 0 && part_sum > 0) {
@@ -121,7 +124,7 @@ static bl_estimate share_estimate(const bl_psd *psd, double from, double to, int
 }
 
 void bl_psd_band(const bl_psd *psd, bl_band *band) {
-    band->fraction = share_estimate(psd, band->from, band->to, 0, 1 - psd->settings.level);
+    band->fraction = bl_psd_band_share(psd, band->from, band->to, 0, NULL, 1 - psd->settings.level);
     band->theory = NAN;
     if (!psd->theory)
         return;
@@ -132,69 +135,4 @@ void bl_psd_band(const bl_psd *psd, bl_band *band) {
         all += power;
     }
     band->theory = in / all;
-}
-
-static double decibel(double share_of_variance) {
-    return share_of_variance > 0 ? 10 * log10(share_of_variance) : -INFINITY;
-}
-
-int bl_psd_has_outside(const bl_psd *psd, const bl_band_limit *limit) {
-    for (size_t i = 1; i < psd->count; i++)
-        if (psd->frequency[i] + psd->width[i] / 2 <= limit->from - limit->guard ||
-            psd->frequency[i] - psd->width[i] / 2 >= limit->to + limit->guard)
-            return 1;
-    return 0;
-}
-
-double bl_psd_guard(const bl_psd *psd) {
-    return bl_window_half_lobe(psd->settings.window) * psd->width[0];
-}
-
-void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit) {
-    // A limit that misses on its one side is the end of an interval that misses on both.
-    double missed = limit->missed > 0 ? limit->missed : 1 - psd->settings.level;
-    bl_estimate leak = share_estimate(psd, limit->from - limit->guard, limit->to + limit->guard, 1,
-                                      fmin(2 * missed, 1 - 1e-9));
-    limit->leak_db = decibel(leak.value);
-    limit->lower_db = decibel(leak.lower);
-    limit->upper_db = decibel(leak.upper);
-    limit->needed_averages = 0;
-    double allowed = pow(10, limit->limit_db / 10);
-    if (leak.upper <= allowed) {
-        limit->verdict = BL_VERDICT_PASS;
-    } else if (leak.lower > allowed) {
-        limit->verdict = BL_VERDICT_FAIL;
-    } else {
-        limit->verdict = BL_VERDICT_INCONCLUSIVE;
-        if (psd->alike > 0)
-            return; // more of the same tells no more
-        // The interval narrows with the root of the averages; it must not reach the limit.
-        double reach = leak.value > allowed ? leak.value - leak.lower : leak.upper - leak.value;
-        double ratio = reach / fabs(leak.value - allowed);
-        double averages = (double)psd->settings.averages, needed = averages * ratio * ratio;
-        needed = fmax(ceil(needed), averages + 1);
-        limit->needed_averages = needed < 1e15 ? (size_t)needed : (size_t)1e15; // NaN too
-    }
-}
-
-// A verdict needs a variance, and frequencies on both sides: in the band and outside of it.
-bl_status bl_psd_check_limit(const bl_psd *psd, const bl_band_limit *limit, bl_message *message) {
-    static const char remedy[] = "sample more finely (--rate; of an image spacing=)";
-    double nyquist = 0.5 * psd->settings.rate;
-    if (!(psd->variance.value > 0))
-        return bl_report(message, BL_MISMATCH,
-                         "the signal is constant: there is no variance to judge");
-    if (limit->from >= nyquist)
-        return bl_report(message, BL_MISMATCH,
-                         "the band %g : %g begins beyond the highest frequency measured, %g cycles "
-                         "per unit; %s, or move --band",
-                         limit->from, limit->to, nyquist, remedy);
-    if (!bl_psd_has_outside(psd, limit))
-        return bl_report(message, BL_MISMATCH,
-                         "nothing is left to judge outside of the band %g : %g with a guard of "
-                         "%.3g: frequencies were measured up to %g cycles per unit; %s, or narrow "
-                         "--band or --guard",
-                         limit->from, limit->to, limit->guard, nyquist,
-                         isfinite(limit->to) ? remedy : "give the band an end");
-    return BL_OK;
 }

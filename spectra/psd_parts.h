@@ -7,6 +7,7 @@
 //   transform  window, FFT, |.|^2 and the sums over bins, of one average        psd_transform.c
 //   spread     how much the averages of each bin differ, and are alike         psd_spread.c
 //   limits     degrees of freedom and confidence limits                         psd_limits.c
+//   bands      shares of the variance, and verdicts on band limits              psd_band*.c
 #ifndef BL_SPECTRA_PSD_PARTS_H
 #define BL_SPECTRA_PSD_PARTS_H
 
@@ -166,5 +167,13 @@ void bl_psd_fill_anisotropy(bl_psd *psd, const bl_bins *bins, const bl_bin_sum *
 
 // BL_FAIL if psd->parseval_residual is above its limit.
 bl_status bl_psd_check_parseval(const bl_psd *psd, bl_message *message);
+
+// --- bands ---
+
+// The share in the band or outside of it, with its interval, which misses the truth with the
+// probability `missed`, on both sides together. `less`: power of each average that does not count in
+// that share, or NULL; it is not looked at where the averages are fewer than four.
+bl_estimate bl_psd_band_share(const bl_psd *psd, double from, double to, int outside,
+                              const double *less, double missed);
 
 #endif

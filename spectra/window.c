@@ -14,14 +14,18 @@ enum { TERMS = 4 };
 typedef struct window_entry {
     const char *name;
     double a[TERMS];
-    double half_lobe; // bins from the centre of the main lobe to its first zero
+    double half_lobe;  // bins from the centre of the main lobe to its first zero
+    double side_lobes; // the share of the power beyond it: 1 - the integral of |W|^2 to the zero
 } window_entry;
 
 // Coefficients: Harris 1978, table 1 (minimum 4-sample Blackman-Harris) and the definition of Hann.
 static const window_entry windows[BL_WINDOW_COUNT] = {
-    [BL_WINDOW_BLACKMAN_HARRIS] = {"blackman-harris", {0.35875, 0.48829, 0.14128, 0.01168}, 4},
-    [BL_WINDOW_HANN] = {"hann", {0.5, 0.5, 0, 0}, 2},
-    [BL_WINDOW_RECTANGLE] = {"rectangle", {1, 0, 0, 0}, 1},
+    [BL_WINDOW_BLACKMAN_HARRIS] = {"blackman-harris",
+                                   {0.35875, 0.48829, 0.14128, 0.01168},
+                                   4,
+                                   1.201e-9},
+    [BL_WINDOW_HANN] = {"hann", {0.5, 0.5, 0, 0}, 2, 5.1444e-4},
+    [BL_WINDOW_RECTANGLE] = {"rectangle", {1, 0, 0, 0}, 1, 0.0971767},
 };
 
 const char *bl_window_name(bl_window window) {
@@ -41,6 +45,10 @@ bl_status bl_window_read(const char *word, bl_window *window, bl_message *messag
                              message);
 }
 
+static double sinc(double x) {
+    return fabs(x) < 1e-9 ? 1 : sin(M_PI * x) / (M_PI * x);
+}
+
 // The window at an angle; cos(2p) and cos(3p) from cos(p), Chebyshev's polynomials.
 static double window_at(bl_window window, double phase) {
     const double *a = windows[window].a;
@@ -58,6 +66,20 @@ void bl_window_fill(bl_window window, size_t size, double *out) {
 
 double bl_window_half_lobe(bl_window window) {
     return windows[window].half_lobe;
+}
+
+double bl_window_kernel(bl_window window, double bins) {
+    const double *a = windows[window].a;
+    double sum = a[0] * sinc(bins), squares = a[0] * a[0];
+    for (int j = 1; j < TERMS; j++) {
+        sum += 0.5 * a[j] * (sinc(bins - j) + sinc(bins + j));
+        squares += 0.5 * a[j] * a[j];
+    }
+    return sum * sum / squares;
+}
+
+double bl_window_side_lobes(bl_window window) {
+    return windows[window].side_lobes;
 }
 
 // The coefficient of exp(i j phase) in w.

@@ -26,6 +26,11 @@ void bl_window_fill(bl_window window, size_t size, double *out);
 // Half the width of the main lobe, in bins: power at one frequency spreads no farther, except in
 // side lobes.
 double bl_window_half_lobe(bl_window window);
+// The share of a line's power that a bin gets whose centre is so many bins from the line, of a long
+// window: the shares of all bins add up to 1, wherever the line is between them.
+double bl_window_kernel(bl_window window, double bins);
+// The share of the power at one frequency that spreads farther than that.
+double bl_window_side_lobes(bl_window window);
 
 // White noise through the window: the correlation of the powers of two bins `offset` apart,
 // |sum w^2 exp(2 pi i n offset/size)|^2 / (sum w^2)^2 (Percival and Walden 1993, section 6.6).

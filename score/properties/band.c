@@ -9,9 +9,10 @@
 // over 0.1 cycles per unit, is within 3 dB and within 30 dB of its peak
 // (score/properties/band_edges.h).
 //
-// Judged is the leak along x, outside of the band and a guard of half the window's main lobe, by
-// one-sided limits at the property's share of alpha. Where they settle nothing a second look takes
-// more averages; each of the two looks has half of that share. A leak that is stated fails where
+// Judged is the leak along x, outside of the band, by one-sided limits at the property's share of
+// alpha, which hold whatever the window smears over the edges. Where they settle nothing a second
+// look takes more averages, or longer lines, whose smear is less; each of the two looks has half of
+// that share. A leak that is stated fails where
 // the lower limit lies above it. It is a number, not a budget: one that is exactly right lies
 // between the limits however many averages there are, so it passes where the upper limit is less
 // than 1 dB above it, and is inconclusive else. If a band is stated, it is what is judged. Of one
@@ -20,6 +21,10 @@
 // floor: a line at the very edge of the band leaves 10^-9 of its power in the side lobes of the
 // window, and float rows round at 10^-11 of the variance or less. Without a band the ideal asks for
 // at most -30 dB above 1 cycle per unit, as a budget too.
+//
+// A density that ends at the edge with a step is smeared over it however long the lines are, so a
+// band without a number is judged beyond the edge and twice the smear, on lines sixteen times as
+// long; the reason says how far that is from the edge.
 #include <math.h>
 #include <stdio.h>
 
@@ -29,11 +34,14 @@
 #include "spectra/psd.h"
 
 static const double CLAIM_MARGIN_DB = 1;
-// Of a line, in units. Its guard is then 4/128, which hides little of a density that falls steeply
-// at the edge; and the lines are short, because all of a line shares its place in the cell, so that
-// only fresh lines tell more.
+// Of a line, in units. Its smear is then 4.5/128, little for a density that falls steeply at the
+// edge; and the lines are short, because all of a line shares its place in the cell, so that only
+// fresh lines tell more.
 static const double LENGTH = 128;
 static const double IDEAL_TO = 1, IDEAL_LEAK_DB = -30, FLOOR_DB = -80;
+
+// A claim about a sharp edge takes lines that are so many times longer, and as many fewer.
+enum { SHARP = 16 };
 
 typedef struct direction {
     const char *above, *middle, *leak;
@@ -58,6 +66,14 @@ static const direction directions[] = {
 
 typedef enum way { ALONG_X, ALONG_DIAGONAL, RADIALLY, WAYS } way;
 
+typedef struct band_claim {
+    double from, to, leak_db;
+    double margin_db; // above leak_db that still passes
+    int is_sharp;     // a band without a number for its leak
+    bl_score_against against;
+    const char *what; // leak_db is
+} band_claim;
+
 // --- how it is measured ---
 
 // Twice the frequencies of the band, if it reaches further than the default rates.
@@ -69,7 +85,7 @@ static double rate_for(double usual, double band_to) {
 }
 
 static bl_psd_settings settings_for(const bl_signal *signal, const bl_score_settings *settings,
-                                    way which, double band_to) {
+                                    way which, const band_claim *claim) {
     bl_psd_settings psd = bl_psd_default_settings(which == RADIALLY ? 2 : 1);
     psd.seed = settings->seed;
     psd.threads = settings->threads;
@@ -81,16 +97,20 @@ static bl_psd_settings settings_for(const bl_signal *signal, const bl_score_sett
     if (bl_score_on_grid(signal))
         return psd;
     if (which == RADIALLY) {
-        psd.rate = rate_for(8, band_to);
+        psd.rate = rate_for(8, claim->to);
         psd.size = settings->size == BL_QUICK ? 256 : 512;
         psd.averages = (size_t)bl_size_pick(settings->size, 4, 16, 128);
     } else { // LENGTH units long, unless the band is so wide that this takes too many samples
-        psd.rate = rate_for(bl_size_pick(settings->size, 8, 16, 16), band_to);
+        psd.rate = rate_for(bl_size_pick(settings->size, 8, 16, 16), claim->to);
         psd.size =
             (size_t)fmin(LENGTH * psd.rate, bl_size_pick(settings->size, 4096, 16384, 16384));
         psd.averages = (size_t)bl_size_pick(settings->size, 256, 1024, 8192);
-        if (which == ALONG_DIAGONAL) // which is not judged
+        if (which == ALONG_DIAGONAL) { // which is not judged
             psd.averages /= 4;
+        } else if (claim->is_sharp) {
+            psd.size *= SHARP;
+            psd.averages /= SHARP;
+        }
     }
     return psd;
 }
@@ -122,7 +142,6 @@ static bl_status add_numbers(bl_score_property *result, const direction *names, 
         bl_score_add(result, names->middle, middle.fraction);
     }
     psd->settings.level = 0.5 + 0.5 * level; // two one-sided limits of this level
-    limit.guard = bl_psd_guard(psd);
     if (bl_psd_has_outside(psd, &limit)) {
         bl_psd_band_limit(psd, &limit);
         bl_score_add(result, names->leak,
@@ -134,21 +153,15 @@ static bl_status add_numbers(bl_score_property *result, const direction *names, 
 
 // --- the verdict ---
 
-typedef struct band_claim {
-    double from, to, leak_db;
-    double margin_db; // above leak_db that still passes
-    bl_score_against against;
-    const char *what; // leak_db is
-} band_claim;
-
 static band_claim claim_of(const bl_signal *signal) {
     const bl_facts *facts = &signal->facts;
     if (!bl_score_states_band(signal))
-        return (band_claim){0, IDEAL_TO, IDEAL_LEAK_DB, 0, BL_AGAINST_IDEAL, "the ideal is"};
+        return (band_claim){0, IDEAL_TO, IDEAL_LEAK_DB, 0, 0, BL_AGAINST_IDEAL, "the ideal is"};
     band_claim claim = {isfinite(facts->band_from) ? facts->band_from : 0,
                         isnan(facts->band_to) ? INFINITY : facts->band_to,
                         facts->leak_db,
                         CLAIM_MARGIN_DB,
+                        isnan(facts->leak_db) || facts->leak_db < FLOOR_DB,
                         BL_AGAINST_CLAIM,
                         "the claim is"};
     if (isnan(facts->leak_db)) {
@@ -165,13 +178,21 @@ static band_claim claim_of(const bl_signal *signal) {
     return claim;
 }
 
-// How many averages a second look takes, or 0 where the first one settles the verdict. Each look
-// has half of alpha, so that both together fail a correct signal no more often than alpha says.
-static size_t averages_of_second_look(const bl_psd *psd, const band_claim *claim,
-                                      const bl_score_settings *settings) {
+static bl_band_limit limit_of(const band_claim *claim, const bl_psd *psd) {
+    return (bl_band_limit){.from = claim->from,
+                           .to = claim->to,
+                           .limit_db = claim->leak_db,
+                           .guard = claim->is_sharp ? 2 * bl_psd_smear(psd) : 0};
+}
+
+// Prepares a second look, with more averages or longer lines; returns 0 where the first one settles
+// the verdict. Each look has half of alpha, so that both together fail a correct signal no more
+// often than alpha says.
+static int prepare_second_look(const bl_psd *psd, const band_claim *claim,
+                               const bl_score_settings *settings, bl_psd_settings *wanted) {
     double passes = claim->leak_db + claim->margin_db;
-    bl_band_limit limit = {.from = claim->from, .to = claim->to, .limit_db = passes};
-    limit.guard = bl_psd_guard(psd);
+    bl_band_limit limit = limit_of(claim, psd);
+    limit.limit_db = passes;
     limit.missed = 0.5 * settings->alpha;
     if (!(psd->variance.value > 0) || !bl_psd_has_outside(psd, &limit))
         return 0;
@@ -182,7 +203,12 @@ static size_t averages_of_second_look(const bl_psd *psd, const band_claim *claim
     size_t most = averages * (size_t)bl_size_pick(settings->size, 16, 4, 4);
     size_t needed = limit.needed_averages < most ? 2 * limit.needed_averages : most;
     needed = needed > 4 * averages ? needed : 4 * averages;
-    return needed < most ? needed : most;
+    wanted->averages = needed < most ? needed : most;
+    if (limit.needed_size) {
+        wanted->averages = averages;
+        wanted->size *= BL_PSD_LONGER;
+    }
+    return 1;
 }
 
 // Replaces the spectrum of a first look by that of a second one where the first settles nothing. A
@@ -190,8 +216,7 @@ static size_t averages_of_second_look(const bl_psd *psd, const band_claim *claim
 static bl_status look_again(const bl_signal *signal, const band_claim *claim,
                             const bl_score_settings *settings, bl_psd *psd, bl_message *message) {
     bl_psd_settings wanted = psd->settings;
-    wanted.averages = bl_score_on_grid(signal) ? 0 : averages_of_second_look(psd, claim, settings);
-    if (!wanted.averages)
+    if (bl_score_on_grid(signal) || !prepare_second_look(psd, claim, settings, &wanted))
         return BL_OK;
     bl_psd_free(psd);
     return bl_psd_measure(signal, &wanted, psd, message);
@@ -203,8 +228,13 @@ static void judge_leak(bl_score_property *result, const bl_psd *psd, const band_
     bl_verdict verdict = limit->lower_db > claim->leak_db ? BL_VERDICT_FAIL
                          : limit->upper_db <= passes      ? BL_VERDICT_PASS
                                                           : BL_VERDICT_INCONCLUSIVE;
-    char settle[80] = "";
-    if (verdict == BL_VERDICT_INCONCLUSIVE && claim->margin_db > 0)
+    char settle[80] = "", edge[40] = "";
+    if (limit->guard > 0)
+        snprintf(edge, sizeof edge, ", %.2g beyond its edges,", limit->guard);
+    if (verdict == BL_VERDICT_INCONCLUSIVE && limit->needed_size)
+        snprintf(settle, sizeof settle, "; %.4g dB lie within the smear of the edges",
+                 limit->edge_db);
+    else if (verdict == BL_VERDICT_INCONCLUSIVE && claim->margin_db > 0)
         snprintf(settle, sizeof settle, "; it passes below %.4g dB: take more averages", passes);
     else if (verdict == BL_VERDICT_INCONCLUSIVE && limit->needed_averages)
         snprintf(settle, sizeof settle, "; about %zu averages would settle it",
@@ -212,15 +242,14 @@ static void judge_leak(bl_score_property *result, const bl_psd *psd, const band_
     snprintf(result->cell, sizeof result->cell, isfinite(limit->leak_db) ? "%.1f dB" : "none",
              limit->leak_db);
     bl_score_judge(result, verdict, claim->against,
-                   "%.4g dB of the variance outside of %.4g to %.4g cycles per unit along x (%.4g "
-                   "to %.4g from %zu averages), %s %.4g dB%s",
-                   limit->leak_db, limit->from, limit->to, limit->lower_db, limit->upper_db,
+                   "%.4g dB of the variance outside of %.4g to %.4g cycles per unit%s along x "
+                   "(%.4g to %.4g from %zu averages), %s %.4g dB%s",
+                   limit->leak_db, limit->from, limit->to, edge, limit->lower_db, limit->upper_db,
                    psd->settings.averages, claim->what, claim->leak_db, settle);
 }
 
 static void judge(bl_score_property *result, bl_psd *psd, const band_claim *claim, double alpha) {
-    bl_band_limit limit = {.from = claim->from, .to = claim->to, .limit_db = claim->leak_db};
-    limit.guard = bl_psd_guard(psd);
+    bl_band_limit limit = limit_of(claim, psd);
     if (!(psd->variance.value > 0)) {
         bl_score_judge(result, BL_VERDICT_NOT_RUN, claim->against,
                        "it is constant: there is no variance to judge");
@@ -256,7 +285,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         bl_psd psd;
         if (!has_way(signal, which))
             continue;
-        bl_psd_settings wanted = settings_for(signal, settings, which, claim.to);
+        bl_psd_settings wanted = settings_for(signal, settings, which, &claim);
         bl_status status = bl_psd_measure(signal, &wanted, &psd, &own);
         if (status == BL_OK && which == ALONG_X)
             status = look_again(signal, &claim, settings, &psd, &own);
@@ -268,7 +297,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         }
         if (status != BL_OK) // a grid without squares, say; the line has been judged
             continue;
-        bl_band_limit limit = {.from = claim.from, .to = claim.to, .limit_db = claim.leak_db};
+        bl_band_limit limit = limit_of(&claim, &psd);
         if (psd.variance.value > 0)
             status = add_numbers(result, &directions[which], &psd, limit, settings->level, message);
         if (which == ALONG_X)

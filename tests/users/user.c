@@ -127,7 +127,7 @@ static void measure(const bandlimit_signal *noise) {
     BANDLIMIT_INIT(&histogram);
     settings.effort = of_histogram.effort = BANDLIMIT_QUICK;
     for (settings.dims = 1; settings.dims <= 3; settings.dims++) {
-        settings.size = settings.dims == 3 ? 32 : 128;
+        settings.size = settings.dims == 3 ? 64 : 128;
         HOLDS(bandlimit_spectrum_measure(noise, &settings, &spectrum, &message) == BANDLIMIT_OK);
         HOLDS(spectrum.dims == settings.dims && spectrum.size == settings.size);
         HOLDS(spectrum.variance.lower < spectrum.variance.value && spectrum.theory);
