@@ -20,6 +20,10 @@ bl_signal *bl_run_seeded_signal(bl_run *run, const char *text);
 // Several by their texts, as they stand.
 void bl_run_signals(bl_run *run, const char *const *texts, size_t count, bl_signal **signals);
 
+// The signal as it filters itself exactly for samples of this width, for pictures that are not to
+// show alias; the signal itself where it has no such form, or has a width of its own.
+const bl_signal *bl_run_filtered(bl_run *run, const bl_signal *signal, double width);
+
 const bl_view *bl_run_view(bl_run *run, const char *text, size_t width, size_t height);
 const bl_method *bl_run_method(bl_run *run, const char *text, const bl_signal *signal);
 

@@ -7,7 +7,7 @@
 #include "core/statistics.h"
 #include "reports/figures/gallery.h"
 
-static void fill_slice(const bl_signal *signal, const bl_gallery_slices *slices, int threads,
+static void fill_slice(bl_run *run, const bl_signal *signal, const bl_gallery_slices *slices,
                        float *out) {
     double pixel = slices->length / (double)slices->pixels;
     bl_grid grid = {.right = {pixel, 0, 0, 0},
@@ -16,7 +16,7 @@ static void fill_slice(const bl_signal *signal, const bl_gallery_slices *slices,
                     .height = slices->pixels};
     for (int a = 0; a < BL_AXES; a++)
         grid.origin[a] = slices->origin[a];
-    bl_grid_fill(signal, &grid, threads, out);
+    bl_grid_fill(bl_run_filtered(run, signal, pixel), &grid, bl_run_settings(run)->threads, out);
 }
 
 static void span_deviations(const float *values, size_t count, double deviations, double *black,
@@ -94,7 +94,7 @@ void bl_gallery_draw_slices(bl_run *run, const bl_gallery *gallery,
     float *values = bl_run_memory(run, gallery->count * pixels, sizeof *values);
     bl_run_step(run, "slices");
     for (size_t i = 0; i < gallery->count; i++)
-        fill_slice(gallery->signal[i], &slices, bl_run_settings(run)->threads, values + i * pixels);
+        fill_slice(run, gallery->signal[i], &slices, values + i * pixels);
     if (slices.deviations > 0) {
         slices.black = -slices.deviations;
         slices.white = slices.deviations;

@@ -35,10 +35,15 @@ static void draw_pixel(const bl_shown *shown, const bl_signal *signal, unsigned 
 
 // All panels of a plot have the same numbers of pixels: coarse ones are drawn as squares.
 static const char *draw_one(bl_run *run, const bl_pictures *set, const bl_shown *shown) {
-    const bl_signal *signal = shown->signal ? shown->signal : bl_run_signal(run, shown->text);
+    const bl_signal *raw = shown->signal ? shown->signal : bl_run_signal(run, shown->text);
     const unsigned full = set->pixels, pixels = shown->pixels ? shown->pixels : full;
     const unsigned times = full / pixels;
-    const unsigned samples = shown->filtered || shown->pixels || !set->samples ? 1 : set->samples;
+    // Coarse panels show alias, or what a filter does about it; others are to show neither.
+    const bl_signal *signal = shown->filtered || shown->pixels || shown->see
+                                  ? raw
+                                  : bl_run_filtered(run, raw, shown->scale / pixels);
+    const int is_one = shown->filtered || shown->pixels || signal != raw || !set->samples;
+    const unsigned samples = is_one ? 1 : set->samples;
     float *values = bl_run_memory(run, (size_t)full * full * 3, sizeof *values);
 #pragma omp parallel for num_threads(bl_thread_count(bl_run_settings(run)->threads))               \
     schedule(dynamic, 4)

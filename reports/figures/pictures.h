@@ -26,8 +26,10 @@ typedef struct bl_pictures {
     size_t count, columns;
     double at[BL_AXES], scale; // units across
     unsigned pixels;
-    unsigned samples; // what neither filters itself nor is coarse is averaged over `samples` x
-                      // `samples` places in each pixel, all else is seen at its middle; 0: one
+    // What filters itself, or is coarse, is seen at the middle of a pixel; what has an exact
+    // average over a pixel is that, and all else the mean of `samples` x `samples` places in it; 0:
+    // one.
+    unsigned samples;
     const char *unit; // of the axes, which run from 0 to 1 picture
 } bl_pictures;
 
