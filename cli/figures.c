@@ -142,6 +142,11 @@ static void report_text(bl_call *call, const bl_reproduction *result) {
 }
 
 static void report(bl_call *call, const bl_reproduction *result) {
+    bl_call_may_warn(call);
+    for (size_t f = 0; f < result->count; f++)
+        for (size_t i = 0; i < result->figures[f].warning_count; i++)
+            bl_call_warn(call, "%s: %s", result->figures[f].figure->name,
+                         result->figures[f].warnings[i]);
     if (bl_json_start(call))
         report_json(call->json, result);
     else if (!call->common.quiet)

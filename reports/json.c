@@ -47,14 +47,15 @@ static json_t *figure_json(const bl_run_record *record, const bl_reproduce_setti
     json_t *claims = json_array();
     for (size_t i = 0; i < result->claim_count; i++)
         json_array_append_new(claims, claim_json(&result->claims[i]));
-    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o}",
+    return json_pack("{s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:o, s:o, s:o, s:o, s:o, s:o}",
                      "schema", "bandlimit.figure/1", "version", BL_VERSION, "arguments",
                      settings->arguments ? settings->arguments : "", "figure", figure->name,
                      "title", figure->title, "question", figure->question, "paper", figure->paper,
                      "shows", figure->shows, "size", bl_size_word(settings->size), "seed",
                      bl_json_count(settings->seed), "settings", settings_json(record), "verdicts",
                      outcomes_json(result), "claims", claims, "files",
-                     bl_json_texts(result->files, result->file_count));
+                     bl_json_texts(result->files, result->file_count), "warnings",
+                     bl_json_texts(result->warnings, result->warning_count));
 }
 
 bl_status bl_run_write_json(const bl_run_record *record, const bl_reproduce_settings *settings,

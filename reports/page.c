@@ -108,6 +108,8 @@ static bl_status put_figure(FILE *out, const bl_run_record *record, bl_message *
     bl_html_tagged(out, "", figure->paper, "</p>\n");
     bl_html_tagged(out, "<h2>", figure->question, "</h2>\n");
     bl_html_tagged(out, "<p>", figure->shows, "</p>\n");
+    for (size_t i = 0; i < result->warning_count; i++)
+        bl_html_tagged(out, "<p><strong>Warning:</strong> ", result->warnings[i], "</p>\n");
     for (size_t i = 0; i < record->plot_count; i++) {
         bl_status status = put_picture(out, result->folder, &record->plots[i], message);
         if (status != BL_OK)

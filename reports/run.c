@@ -226,6 +226,13 @@ const char *bl_run_image(bl_run *run, const char *name, const bl_image *image) {
     return run->result.files[run->result.file_count - 1];
 }
 
+void bl_run_warn(bl_run *run, const char *text) {
+    bl_figure_result *result = &run->result;
+    const char *kept = bl_run_text(run, "%s", text);
+    grow(run, &result->warnings, result->warning_count, sizeof *result->warnings);
+    result->warnings[result->warning_count++] = kept;
+}
+
 void bl_run_claim(bl_run *run, const bl_claim *claim) {
     bl_figure_result *result = &run->result;
     grow(run, &result->claims, result->claim_count, sizeof *result->claims);
@@ -291,6 +298,7 @@ void bl_run_free(bl_run *run) {
     bl_owned_release_all(&run->texts);
     free(run->result.files);
     free(run->result.claims);
+    free(run->result.warnings);
     free(run->notes);
     free(run->plots);
     free(run);

@@ -35,6 +35,8 @@ typedef struct bl_figure_result {
     const char *folder;             // of its files
     const char **files;             // names in that folder, in the order they were written
     size_t file_count;
+    const char **warnings; // of what the figure shows worse than it is
+    size_t warning_count;
     bl_claim *claims; // judged
     size_t claim_count;
     size_t outcomes[BL_NOT_RUN + 1]; // how many claims hold, are undecided, ...

@@ -79,7 +79,10 @@ static void test_its_numbers_are_those_of_the_other_verbs(void **state) {
     (void)state;
     char folder[300], path[400];
     snprintf(folder, sizeof folder, "%s", bl_temporary_path("numbers"));
-    json_decref(RUN_JSON("compare", "gnoise", "--quick", "-o", folder, "--json"));
+    json_t *whole = RUN_JSON("compare", "gnoise", "--quick", "-o", folder, "--json");
+    json_t *warnings = json_object_get(whole, "warnings");
+    assert_true(json_is_array(warnings) && json_array_size(warnings) == 0);
+    json_decref(whole);
     snprintf(path, sizeof path, "%s/compare-spectrum/shares.csv", folder);
     double share = csv_number(path, "gnoise", "above_1");
     json_t *object =
@@ -185,6 +188,36 @@ static void test_bad_words_leave_nothing(void **state) {
     bl_ran_free(&ran);
 }
 
+// In the program's words, in its object, in those of the figures and on the page.
+static void test_a_signal_finer_than_the_figures_is_told(void **state) {
+    (void)state;
+    char folder[300], path[400];
+    snprintf(folder, sizeof folder, "%s", bl_temporary_path("fine"));
+    bl_ran ran = bl_run_program("compare", function("fine"), "--quick", "-o", folder, "--json");
+    assert_int_equal(ran.status, 0);
+    json_t *object = json_loads(ran.out, 0, NULL), *list = json_object_get(object, "warnings");
+    assert_int_equal(json_array_size(list), 4); // a line, a slice, and the spectra of both
+    for (size_t i = 0; i < 4; i++)
+        assert_non_null(strstr(ran.err, json_string_value(json_array_get(list, i))));
+    assert_non_null(strstr(ran.err, "--dims 1 --rate 256` would do"));
+    snprintf(path, sizeof path, "%s/index.html", folder);
+    char *page = bl_temporary_read(path, NULL);
+    assert_non_null(strstr(page, "<strong>Warning:</strong> 16 samples a unit do not resolve"));
+    free(page);
+    json_decref(object);
+    bl_ran_free(&ran);
+    // The slice of a texture that has an exact average is that.
+    snprintf(path, sizeof path, "%s", bl_temporary_path("filtered"));
+    json_decref(RUN_JSON("compare", "checkerboard:size=1/64", "--quick", "-o", path, "--json"));
+    snprintf(path, sizeof path, "%s",
+             bl_temporary_path("filtered/compare-slice/checkerboard-size-0-015625-plane.exr"));
+    object = RUN_JSON("histogram", path, "--json");
+    assert_less(json_real_value(json_object_get(object, "max")) -
+                    json_real_value(json_object_get(object, "min")),
+                1e-6);
+    json_decref(object);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_all_figures_are_made_for_noises_and_images),
@@ -194,6 +227,7 @@ int main(void) {
         cmocka_unit_test(test_the_legend_has_the_closed_form_that_a_later_panel_shows),
         cmocka_unit_test(test_what_is_no_number_is_told_before_anything_is_made),
         cmocka_unit_test(test_bad_words_leave_nothing),
+        cmocka_unit_test(test_a_signal_finer_than_the_figures_is_told),
     };
     return bl_run_tests(tests);
 }

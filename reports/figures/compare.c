@@ -35,6 +35,66 @@ static size_t steps_of(const bl_gallery *gallery, double length, size_t wanted) 
     return steps < 4096 ? (size_t)steps : 4096;
 }
 
+// --- what is not resolved -----------------------------------------------------------------------
+
+// Warns of a signal that is finer than what a figure shows it by; `command` would show it.
+static void warn_of(bl_run *run, const char *label, double rate, const bl_resolution *found,
+                    const char *command) {
+    if (!(found->rate > rate))
+        return;
+    const char *remedy = isfinite(found->rate) ? bl_run_text(run, "%s would do", command)
+                                               : "no rate that was tried would do";
+    bl_run_warn(run,
+                bl_run_text(run,
+                            "%.4g samples a unit do not resolve '%s': %.2g of its variance or "
+                            "more lies beyond what they show and folds back; %s (%.2g allowed)",
+                            rate, label, found->beyond, remedy, found->allowed));
+}
+
+// Graphs and pictures, from the origin along the first one or two axes. The picture that would do
+// has the usual 512 pixels.
+static void warn_of_pictures(bl_run *run, const bl_gallery *gallery, const double origin[BL_AXES],
+                             double length, size_t steps, unsigned sides) {
+    const bl_resolution_settings settings = {.allowed = BL_RESOLUTION_PICTURE,
+                                             .threads = bl_run_settings(run)->threads};
+    const double spacing = length / (double)steps;
+    bl_region region = {{0}, {{0}}};
+    for (int a = 0; a < BL_AXES; a++)
+        region.origin[a] = origin[a];
+    for (unsigned d = 0; d < sides; d++)
+        region.side[d][d] = length;
+    for (size_t i = 0; i < gallery->count; i++) {
+        const bl_signal *signal = gallery->signal[i];
+        if (sides > 1 && bl_run_filtered(run, signal, spacing) != signal)
+            continue; // its slice is filtered
+        bl_resolution worst = {.rate = 0};
+        for (unsigned d = 0; d < sides; d++) {
+            double step[BL_AXES] = {0};
+            step[d] = spacing;
+            bl_resolution found = bl_resolution_measure(signal, &region, step, &settings);
+            worst = found.rate > worst.rate ? found : worst;
+        }
+        warn_of(run, gallery->label[i], 1 / spacing, &worst,
+                bl_run_text(run, "`bandlimit render '%s' --scale %.4g -o FILE`", signal->text,
+                            512 / worst.rate));
+    }
+}
+
+static void warn_of_spectra(bl_run *run, const bl_gallery *gallery,
+                            const bl_gallery_spectra *spectra) {
+    for (size_t i = 0; i < gallery->count; i++) {
+        const bl_psd *psd = spectra->psd[i];
+        if (!psd)
+            continue;
+        const bl_signal *signal = gallery->signal[i];
+        const bl_resolution found =
+            bl_psd_resolution(signal, &psd->settings, BL_RESOLUTION_SPECTRUM);
+        warn_of(run, gallery->label[i], psd->settings.rate, &found,
+                bl_run_text(run, "`bandlimit spectrum '%s' --dims %u --rate %.9g`", signal->text,
+                            psd->settings.dims, found.rate));
+    }
+}
+
 // --- along a line -------------------------------------------------------------------------------
 
 static void run_lines(bl_run *run) {
@@ -60,6 +120,8 @@ static void run_lines(bl_run *run) {
         .columns = gallery.count > 1 ? 2 : 1,
         .aspect = 0.42};
     bl_gallery_draw_graphs(run, &gallery, &graphs);
+    warn_of_pictures(run, &gallery, (const double[]){0, 0.381966, 0.618034, 0.236068}, length,
+                     graphs.steps, 1);
 }
 
 static const bl_figure lines_figure = {
@@ -93,6 +155,7 @@ static void run_slices(bl_run *run) {
     slices.title = "What do the signals look like on a lattice plane?";
     slices.origin[2] = slices.origin[3] = 0;
     bl_gallery_draw_slices(run, &gallery, &slices);
+    warn_of_pictures(run, &gallery, slices.origin, length, slices.pixels, 2);
 }
 
 static const bl_figure slices_figure = {
@@ -157,6 +220,7 @@ static void run_line_spectra(bl_run *run, const bl_gallery *gallery) {
         .x_label = "frequency, cycles per unit"};
     bl_gallery_draw_spectra(run, gallery, &spectra, &plot);
     write_shares(run, gallery, &spectra);
+    warn_of_spectra(run, gallery, &spectra);
 }
 
 static void run_slice_spectra(bl_run *run, const bl_gallery *gallery) {
@@ -184,6 +248,7 @@ static void run_slice_spectra(bl_run *run, const bl_gallery *gallery) {
     plot.highest_db = 20;
     plot.tick_db = 5;
     bl_gallery_draw_anisotropy(run, gallery, &spectra, &plot);
+    warn_of_spectra(run, gallery, &spectra);
 }
 
 static void run_spectra(bl_run *run) {
