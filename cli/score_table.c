@@ -43,9 +43,14 @@ static const char *short_word(bl_verdict verdict) {
     return words[verdict];
 }
 
+static int is_shown(const bl_score_property *result) {
+    return strcmp(result->reason, BL_SCORE_NOT_ASKED) != 0 &&
+           strcmp(result->reason, BL_SCORE_NO_PICTURE) != 0;
+}
+
 static int is_asked(const bl_scorecard *cards, size_t count, size_t property) {
     for (size_t s = 0; s < count; s++)
-        if (strcmp(cards[s].score.properties[property].reason, BL_SCORE_NOT_ASKED) != 0)
+        if (is_shown(&cards[s].score.properties[property]))
             return 1;
     return 0;
 }
@@ -125,8 +130,7 @@ static void print_reasons(bl_call *call, const bl_scorecard *card, size_t width)
         const bl_score_property *result = &card->score.properties[i];
         int shown =
             result->verdict == BL_VERDICT_FAIL || result->verdict == BL_VERDICT_INCONCLUSIVE;
-        shown |= result->verdict == BL_VERDICT_NOT_RUN && !result->cell[0] &&
-                 strcmp(result->reason, BL_SCORE_NOT_ASKED) != 0;
+        shown |= result->verdict == BL_VERDICT_NOT_RUN && !result->cell[0] && is_shown(result);
         if (!shown)
             continue;
         if (!any) {

@@ -82,6 +82,7 @@ static bl_signal *copy_with(const bl_signal *signal, const uint64_t *seed) {
     copy->closed_form = signal->closed_form;
     copy->facts = signal->facts;
     copy->extent = signal->extent;
+    copy->picture = signal->picture;
     return copy;
 }
 

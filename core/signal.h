@@ -114,6 +114,8 @@ struct bl_signal {
     const char *name; // the registry name, or the word "image"
     bl_facts facts;
     bl_extent extent;
+    bl_extent picture; // the samples that it is made of: as extent, and also where they are wrapped
+                       // and interpolated, so that it fills all space; sizes 0 without them
 };
 
 // Facts with nothing stated: every number NAN, continuity -2, no proof.

@@ -133,6 +133,9 @@ bl_score_settings bl_score_default_settings(void);
 
 // The reason of a property that was not measured because nobody asked.
 #define BL_SCORE_NOT_ASKED "not asked for"
+// The reason of one that asks something of pictures, for a function; its column is not shown where
+// there are functions alone.
+#define BL_SCORE_NO_PICTURE "a function has no edges"
 
 // Measures the properties whose index is set in `wanted` (bit i: property i); the others are "not
 // run". Deterministic for given settings whatever the threads, except for the property `cost`.

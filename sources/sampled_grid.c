@@ -129,6 +129,10 @@ void bl_sampled_grid_describe(const bl_sampled_grid *grid, bl_signal *signal) {
     int everywhere = grid->wrap != BL_WRAP_NONE;
     for (unsigned a = 0; a < BL_AXES; a++) {
         int exists = a < grid->dims;
+        if (exists) {
+            signal->picture.size[a] = grid->size[a];
+            signal->picture.spacing[a] = grid->spacing;
+        }
         if (exists && !(everywhere && grid->reading != BL_READ_NEAREST)) {
             signal->extent.size[a] = grid->size[a];
             signal->extent.spacing[a] = grid->spacing;

@@ -45,7 +45,7 @@ void bl_sampled_grid_row(const bl_sampled_grid *grid, const double start[BL_AXES
                          const double step[BL_AXES], size_t count, float *out);
 double bl_sampled_grid_value(const bl_sampled_grid *grid, const double at[BL_AXES]);
 
-// Fills dimensions, extent and facts (period, continuity, cell) of the signal.
+// Fills dimensions, extent, picture and facts (period, continuity, cell) of the signal.
 void bl_sampled_grid_describe(const bl_sampled_grid *grid, bl_signal *signal);
 
 #endif

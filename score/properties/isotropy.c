@@ -30,6 +30,7 @@
 #include <string.h>
 
 #include "core/grid.h"
+#include "score/properties/picture_isotropy.h"
 #include "score/properties/rings.h"
 #include "score/properties/sectors.h"
 
@@ -268,6 +269,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
                          bl_score_property *result, bl_message *message) {
     const bl_signal *signal = subject->signal;
     bl_score_look look;
+    if (signal->picture.size[0])
+        return bl_score_picture_isotropy(signal, settings, result, message);
     if (!bl_score_look_at(subject, settings, result, &look) ||
         !bl_score_varies(signal, settings, result))
         return BL_OK;
