@@ -277,8 +277,10 @@ const bl_verb bl_verb_score = {
     .text =
         "Measures signals against the properties of an ideal noise: a repeatable function of a "
         "known range, limited to a band, without periods, stationary and isotropic; and against "
-        "what they state of themselves. A row is a signal, a column a property: repeatable, range, "
-        "band, period, stationarity, isotropy, continuity, seeds, far, gradient, cost. Each is "
+        "what they state of themselves. A row is a signal, a column a property: repeatable, scale, "
+        "range, "
+        "band, period, symmetry, seam (of pictures), stationarity, isotropy, continuity, seeds, "
+        "far, gradient, cost. Each is "
         "judged against what the signal states or, where it states nothing, against the ideal. The "
         "exit status counts only what the signals state: 2 if something is false, else 1 if "
         "something is inconclusive, else 0. All tests of a table share one probability of a false "
