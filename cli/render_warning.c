@@ -30,7 +30,7 @@ static bl_resolution measure(const bl_call *call, const bl_signal *signal, const
                                              .threads = bl_call_threads(call)};
     bl_resolution across = bl_resolution_measure(signal, &region, grid->right, &settings);
     bl_resolution down = bl_resolution_measure(signal, &region, grid->down, &settings);
-    return down.rate > across.rate ? down : across;
+    return down.times > across.times ? down : across;
 }
 
 // The variance of the texture before it filters itself; 0 of one that does not.
@@ -63,7 +63,7 @@ static void add_filter(const bl_call *call, const bl_signal *signal, const bl_gr
     static const char *const words[] = {"exact", "integral", "sat", "slope", "fade", "clamp"};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         bl_signal *filtered = open_filtered(signal, words[i], spacing);
-        int does = filtered && measure(call, filtered, grid, variance, 1).rate * spacing < 1.5;
+        int does = filtered && measure(call, filtered, grid, variance, 1).times == 1;
         if (does)
             snprintf(text, size, ", and so would '%s'", filtered->text);
         bl_signal_free(filtered);
@@ -76,13 +76,13 @@ void bl_render_warn(bl_call *call, const bl_signal *signal, const bl_grid *grid,
     bl_call_may_warn(call);
     double variance = raw_variance(call, signal, grid);
     // What filters itself is slow, and is resolved if it filters for the pixel.
-    if (variance > 0 && measure(call, signal, grid, variance, 1).rate * spacing < 1.5)
+    if (variance > 0 && measure(call, signal, grid, variance, 1).times == 1)
         return;
     const bl_resolution found = measure(call, signal, grid, variance, 0);
-    const double factor = found.rate * spacing, most = 1 << 14; // pixels of a picture for the eye
+    const double factor = found.times, most = 1 << 14; // pixels of a picture for the eye
     const double width = (double)grid->width * factor, height = (double)grid->height * factor;
     char remedy[128] = "no size up to 16384 pixels would do", filter[600] = "";
-    if (!(factor > 1.5)) // it is 1, or a power of 2
+    if (!(factor > 1))
         return;
     if (width <= most && height <= most)
         snprintf(remedy, sizeof remedy, "--width %.0f --height %.0f would do", width, height);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/scorecard.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "cli/json.h"
@@ -36,6 +37,26 @@ static bl_status measure_each(bl_call *call, const char *doing, const bl_score_s
     return status;
 }
 
+// A table has no rate of its own to choose: the verb that measures one spectrum has.
+static void warn_of_detail(bl_call *call, const bl_scorecard *card) {
+    bl_call_may_warn(call);
+    for (size_t i = 0; i < bl_property_count(); i++) {
+        const bl_score_detail *detail = &card->score.properties[i].detail;
+        char remedy[640] = "no rate that was tried would do";
+        if (!(detail->enough > detail->rate))
+            continue;
+        if (isfinite(detail->enough))
+            snprintf(remedy, sizeof remedy,
+                     "`bandlimit spectrum '%s' --dims %u --rate %.9g` would do", card->signal->text,
+                     detail->dims, detail->enough);
+        bl_call_warn(call,
+                     "%s: %.4g samples a unit do not resolve '%s': %.2g of its variance or more "
+                     "lies beyond Nyquist and folds back; %s",
+                     bl_property_at(i)->name, detail->rate, card->signal->text, detail->beyond,
+                     remedy);
+    }
+}
+
 bl_status bl_scorecard_measure(bl_call *call, const char *text, const char *doing,
                                const bl_score_settings *settings, uint64_t wanted,
                                bl_scorecard *card) {
@@ -45,6 +66,7 @@ bl_status bl_scorecard_measure(bl_call *call, const char *text, const char *doin
     if (status == BL_OK) {
         bl_score_subject_scale(&subject, settings);
         status = measure_each(call, doing, &subject, settings, wanted, &card->score);
+        warn_of_detail(call, card);
         bl_score_subject_close(&subject);
     }
     return status;

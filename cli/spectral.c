@@ -55,7 +55,7 @@ void bl_spectral_warn(bl_call *call, const bl_signal *signal, const bl_psd *psd,
     const double most = 1e6; // of --rate
     char remedy[64];
     bl_call_may_warn(call);
-    if (!(found.rate > psd->settings.rate))
+    if (!(found.times > 1))
         return;
     if (found.rate <= most)
         snprintf(remedy, sizeof remedy, "--rate %.9g would do", found.rate);

@@ -49,6 +49,15 @@ typedef struct bl_score_claim {
     char reason[200];
 } bl_score_claim;
 
+// What a property samples on a grid, and whether that resolves the signal: of several grids, that
+// which is furthest from it.
+typedef struct bl_score_detail {
+    double rate;   // samples per unit; 0: it samples on no grid
+    unsigned dims; // of the grid
+    double beyond; // Nyquist, of the variance
+    double enough; // samples per unit that would do; the rate: it is resolved; INFINITY: none
+} bl_score_detail;
+
 typedef struct bl_score_property {
     bl_verdict verdict;
     bl_score_against against;
@@ -56,6 +65,7 @@ typedef struct bl_score_property {
     char reason[320]; // one sentence: what was found, and against what it was judged
     size_t count;
     bl_score_number numbers[BL_SCORE_NUMBERS];
+    bl_score_detail detail;
     size_t claim_count; // 0: the property as a whole is what is claimed, or nothing is
     bl_score_claim claims[BL_SCORE_CLAIMS];
 } bl_score_property;

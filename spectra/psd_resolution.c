@@ -28,7 +28,7 @@ static bl_region region_of(const bl_psd_settings *settings, const double directi
 bl_resolution bl_psd_resolution(const bl_signal *signal, const bl_psd_settings *settings,
                                 double allowed) {
     double directions[3][BL_AXES], step[BL_AXES];
-    bl_resolution worst = {.allowed = allowed, .rate = settings->rate};
+    bl_resolution worst = {.allowed = allowed, .times = 1, .rate = settings->rate};
     if (!bl_directions(settings->dims, settings->axis, directions))
         return worst;
     const bl_region region = region_of(settings, directions);
@@ -39,8 +39,9 @@ bl_resolution bl_psd_resolution(const bl_signal *signal, const bl_psd_settings *
         for (int a = 0; a < BL_AXES; a++)
             step[a] = directions[d][a] / settings->rate;
         bl_resolution found = bl_resolution_measure(signal, &region, step, &wanted);
-        if (d == 0 || found.rate > worst.rate)
+        if (d == 0 || found.times > worst.times)
             worst = found;
     }
+    worst.rate = settings->rate * worst.times; // without the rounding of a direction
     return worst;
 }

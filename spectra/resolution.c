@@ -170,7 +170,7 @@ bl_resolution bl_resolution_measure(const bl_signal *signal, const bl_region *re
     for (int a = 0; a < BL_AXES; a++)
         square += step[a] * step[a];
     double rate = 1 / sqrt(square);
-    bl_resolution resolution = {.rate = rate, .allowed = settings->allowed};
+    bl_resolution resolution = {.times = 1, .rate = rate, .allowed = settings->allowed};
     if (is_stated(signal, rate, settings->allowed) || is_own_grid(signal, step, 1))
         return resolution;
     memcpy(look.step, step, sizeof look.step);
@@ -196,10 +196,11 @@ bl_resolution bl_resolution_measure(const bl_signal *signal, const bl_region *re
         }
         double limit = settings->allowed * fmax(resolution.variance, settings->variance);
         if (beyond <= limit || is_own_grid(signal, step, exp2(-base))) {
-            resolution.rate = rate * exp2(base);
+            resolution.times = exp2(base);
+            resolution.rate = rate * resolution.times;
             return resolution;
         }
     }
-    resolution.rate = INFINITY;
+    resolution.times = resolution.rate = INFINITY;
     return resolution;
 }

@@ -44,7 +44,8 @@ typedef struct bl_resolution {
     double variance; // seen; 0 where that was not looked at
     double beyond;   // the share of it
     double allowed;  // as asked for
-    double rate;     // that would do: the one that was asked for, or more; INFINITY: none was found
+    double times;    // the rate that would do, a power of 2: 1 if it is resolved, or INFINITY: none
+    double rate;     // that would do, samples per unit
 } bl_resolution;
 
 // Of samples `step` apart, as a vector. What the signal states of its band is taken where it is one

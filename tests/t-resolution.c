@@ -191,6 +191,18 @@ static void test_pictures_warn_with_what_does(void **state) {
     }
 }
 
+// The scorecard has no rate to choose, and names the verb that has.
+static void test_scores_warn_of_what_they_do_not_resolve(void **state) {
+    (void)state;
+    const char *const words[] = {"score",  plugin("fine"),  "gnoise", "--quick",
+                                 "--only", "band,isotropy", NULL};
+    bl_ran ran = expect_warning(words, NULL, NULL, 1);
+    assert_non_null(strstr(ran.err, "warning: band: 8 samples a unit do not resolve"));
+    assert_non_null(strstr(ran.err, "--dims 1 --rate 256` would do"));
+    assert_null(strstr(ran.err, "gnoise"));
+    bl_ran_free(&ran);
+}
+
 static void test_what_is_resolved_is_not_warned_of(void **state) {
     (void)state;
     char image[300];
@@ -263,6 +275,7 @@ int main(void) {
         cmocka_unit_test(test_each_axis_is_judged_alone),
         cmocka_unit_test(test_spectra_warn_with_the_rate_that_does),
         cmocka_unit_test(test_pictures_warn_with_what_does),
+        cmocka_unit_test(test_scores_warn_of_what_they_do_not_resolve),
         cmocka_unit_test(test_what_is_resolved_is_not_warned_of),
         cmocka_unit_test(test_warnings_are_told_once_and_hushed),
     };

@@ -40,7 +40,7 @@ static size_t steps_of(const bl_gallery *gallery, double length, size_t wanted) 
 // Warns of a signal that is finer than what a figure shows it by; `command` would show it.
 static void warn_of(bl_run *run, const char *label, double rate, const bl_resolution *found,
                     const char *command) {
-    if (!(found->rate > rate))
+    if (!(found->times > 1))
         return;
     const char *remedy = isfinite(found->rate) ? bl_run_text(run, "%s would do", command)
                                                : "no rate that was tried would do";
@@ -67,12 +67,12 @@ static void warn_of_pictures(bl_run *run, const bl_gallery *gallery, const doubl
         const bl_signal *signal = gallery->signal[i];
         if (sides > 1 && bl_run_filtered(run, signal, spacing) != signal)
             continue; // its slice is filtered
-        bl_resolution worst = {.rate = 0};
+        bl_resolution worst = {.times = 0};
         for (unsigned d = 0; d < sides; d++) {
             double step[BL_AXES] = {0};
             step[d] = spacing;
             bl_resolution found = bl_resolution_measure(signal, &region, step, &settings);
-            worst = found.rate > worst.rate ? found : worst;
+            worst = found.times > worst.times ? found : worst;
         }
         warn_of(run, gallery->label[i], 1 / spacing, &worst,
                 bl_run_text(run, "`bandlimit render '%s' --scale %.4g -o FILE`", signal->text,

@@ -297,6 +297,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         }
         if (status != BL_OK) // a grid without squares, say; the line has been judged
             continue;
+        bl_score_note_detail(result, signal, &psd.settings);
         bl_band_limit limit = limit_of(&claim, &psd);
         if (psd.variance.value > 0)
             status = add_numbers(result, &directions[which], &psd, limit, settings->level, message);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "score/properties/sampling.h"
 #include "score/properties/rings.h"
 
 #include <math.h>
@@ -49,6 +50,8 @@ void bl_score_add_rings(const bl_signal *signal, const bl_score_settings *settin
         slice.seed = bl_random_bits(&random);
         if (bl_psd_measure(signal, &slice, &psd, NULL) != BL_OK)
             return;
+        if (run == 0)
+            bl_score_note_detail(result, signal, &psd.settings);
         sum_rings(&psd, look->cell, sum, total);
         bl_psd_free(&psd);
         for (int k = 0; k <= OCTAVES; k++)

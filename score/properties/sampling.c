@@ -52,3 +52,11 @@ int bl_score_states_something(const bl_signal *signal) {
     return facts->continuity >= -1 || facts->far > 0 || facts->stationary == 1 ||
            facts->isotropic == 1 || signal->functions->gradient;
 }
+
+void bl_score_note_detail(bl_score_property *result, const bl_signal *signal,
+                          const bl_psd_settings *settings) {
+    const bl_resolution found = bl_psd_resolution(signal, settings, BL_RESOLUTION_SPECTRUM);
+    bl_score_detail *kept = &result->detail;
+    if (kept->rate == 0 || found.times > kept->enough / kept->rate)
+        *kept = (bl_score_detail){settings->rate, settings->dims, found.beyond, found.rate};
+}

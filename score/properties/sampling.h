@@ -5,7 +5,8 @@
 #define BL_SCORE_PROPERTIES_SAMPLING_H
 
 #include "core/random.h"
-#include "core/signal.h"
+#include "score/score.h"
+#include "spectra/psd.h"
 
 // Whether the signal has values on a grid alone (an image).
 int bl_score_on_grid(const bl_signal *signal);
@@ -29,5 +30,9 @@ double bl_score_bound(const bl_signal *signal);
 // stated by being a signal; more than that must be stated, and a grid has no values between its
 // samples of which more could be true.
 int bl_score_states_something(const bl_signal *signal);
+
+// Notes whether the samples of a spectrum that the property measures resolve the signal.
+void bl_score_note_detail(bl_score_property *result, const bl_signal *signal,
+                          const bl_psd_settings *settings);
 
 #endif
