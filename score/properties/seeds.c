@@ -1,101 +1,80 @@
 // SPDX-License-Identifier: MIT
 //
-// Seeds: every bit of the seed counts, and signals of neighbouring seeds are unrelated.
+// Seeds: every bit of the seed counts, and signals of related seeds are unrelated.
 //
-// From each of many seeds s (the first is the signal's own), the changes are each of its 64 bits
-// flipped, s+1 and s+2. A change must alter the value at half of the places or more. And the
-// changed signal must be unrelated to the original, at the same places and at places one cell away
-// along each axis in both directions (a seed that is added to a cell number shifts the noise).
+// Changes of a seed are each of its 64 bits flipped, 1, 2 and 2^32 added, its double and triple, its
+// complement, its negative and its halves exchanged. A change must alter the value at half of the
+// places or more. And the changed signal must be unrelated to the original, at the same places and
+// at places one and two cells away along each axis in both directions (a seed that is added to a
+// cell number shifts the noise).
+//
+// Two steps. A look at a few seeds, half of them small ones as people use them, tells which changes
+// and shifts may be related: those whose correlation is beyond TOLD. It decides nothing. Then each
+// of these, the one that stood out most for every change, is tested with many fresh seeds.
 //
 // Unrelated seeds may correlate: they share what the place alone decides, such as a mean that
 // depends on the phase in the cell, and over the few entries of a table any two do by chance.
 // Therefore each pair is compared with a control, a seed drawn at random. With u the value of s at
 // a place (standardised, cut off at 3), v and v' those of the changed one and of the control, the
 // mean of u (v - v') over the places is symmetric about 0 if the change is as good as a random
-// seed. Student's t over the seeds s tests it, for each change and each way to go, and for all
-// changes together; all tests of a signal share alpha. If a relation of half the variance, of all
-// changes at the same places, could not be told from chance, four and then sixteen times as many
-// seeds are taken; if it still could not, nothing is said. Of signals that are slow to make, only a
-// few bits of each seed are tried; their correlation is that of all changes.
-#include "score/properties/places.h"
-
+// seed. Student's t over the seeds s tests it; half of alpha is shared by all changes and shifts,
+// whether they are tested or not, and half is that of the pairs of small seeds (seed_pairs.h).
+//
+// A relation of 0.2 in one bit stands out in the look as a rule, and is 12 standard errors in the
+// test, whose limit is 7. Of a signal that hardly varies less can be told; where the pairs of
+// random seeds correlate so much that half of the variance is no sign, nothing is said.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/grid.h"
+#include "core/plain.h"
+#include "score/properties/seed_pairs.h"
 
-enum {
-    BITS = 64,
-    CHANGES = BITS + 2,
-    SHIFTS = 1 + 2 * BL_AXES,
-    PLACES = 32,      // of one seed, at most
-    LEAST_SEEDS = 16, // for a t
-    MORE = 2,         // times four seeds, where those are too few
-    AT_ONCE = PLACES * SHIFTS
-};
+enum { BITS = 64, CHANGES = BITS + 8, SHIFTS = 1 + 4 * BL_AXES, PLACES = 128 };
+enum { TESTED_SEEDS = 256, TESTED_PLACES = 32 };
 
-#define MOST_TOLD 0.5
-
-typedef struct survey {
-    const bl_signal *signal;
-    const bl_score_look *look;
-    size_t seeds, places, shifts;
-    size_t stride; // seed j has the bits flipped for which bit + j is a multiple of it
-} survey;
-
-// Of one seed s.
-typedef struct batch {
-    double product[CHANGES + 1][SHIFTS]; // mean of u (v - v'); the last: of all changes
-    double changed[CHANGES];             // share of places where the value differs
-    double uv[CHANGES], uu, vv[CHANGES]; // sums at the same places
-    int is_missing;                      // a signal could not be made
-} batch;
+static const double TOLD = 0.1, MOST_TOLD = 0.5;
 
 static uint64_t changed_seed(uint64_t seed, size_t change) {
-    return change < BITS ? seed ^ UINT64_C(1) << change : seed + (change - BITS + 1);
+    switch (change < BITS ? 0 : change - BITS + 1) {
+    case 0:
+        return seed ^ UINT64_C(1) << change;
+    case 1:
+        return seed + 1;
+    case 2:
+        return seed + 2;
+    case 3:
+        return seed + (UINT64_C(1) << 32);
+    case 4:
+        return 2 * seed;
+    case 5:
+        return 3 * seed;
+    case 6:
+        return ~seed;
+    case 7:
+        return 0 - seed;
+    default:
+        return seed << 32 | seed >> 32;
+    }
 }
 
-// The first seed for which a change is tried, and the step to the next one.
-static size_t first_of(const survey *s, size_t change) {
-    return change < BITS ? (s->stride - change % s->stride) % s->stride : 0;
+static void tell_change(size_t change, char *text, size_t size) {
+    static const char *const words[CHANGES - BITS] = {
+        "differ by 1",           "differ by 2",           "differ by 2^32",
+        "are double each other", "are triple each other", "are each other's complement",
+        "differ by the sign",    "have exchanged halves"};
+    if (change < BITS)
+        snprintf(text, size, "differ in bit %zu", change);
+    else
+        snprintf(text, size, "%s", words[change - BITS]);
 }
 
-static size_t step_of(const survey *s, size_t change) {
-    return change < BITS ? s->stride : 1;
-}
-
-static int is_tried(const survey *s, size_t change, size_t j) {
-    return j % step_of(s, change) == first_of(s, change);
-}
-
-// Random places, and the same ones shifted, shift by shift.
-static void choose_places(const survey *s, bl_random *random, double column[BL_AXES][AT_ONCE]) {
-    double cell = s->look->cell;
-    for (size_t a = 0; a < BL_AXES; a++)
-        for (size_t i = 0; i < s->places; i++) {
-            double x = cell * 16384 * (bl_random_unit(random) - 0.5);
-            for (size_t shift = 0; shift < s->shifts; shift++) {
-                int is_along = shift && (shift - 1) / 2 == a;
-                column[a][shift * s->places + i] = x + (is_along ? shift % 2 ? cell : -cell : 0);
-            }
-        }
-}
-
-static int sample(const survey *s, uint64_t seed, double column[BL_AXES][AT_ONCE],
-                  double out[AT_ONCE]) {
-    float value[AT_ONCE];
-    size_t count = s->places * s->shifts;
-    bl_signal *signal = bl_signal_reseed(s->signal, seed);
-    if (!signal)
-        return 0;
-    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
-                     count, value);
-    bl_signal_free(signal);
-    for (size_t i = 0; i < count; i++)
-        out[i] = ((double)value[i] - s->look->mean) / s->look->deviation;
-    return 1;
+// One and two cells back and forth along an axis; shift 0 is none.
+static double along(size_t shift, size_t axis) {
+    static const double steps[] = {1, -1, 2, -2};
+    return shift && (shift - 1) / 4 == axis ? steps[(shift - 1) % 4] : 0;
 }
 
 // NaN stays NaN.
@@ -103,211 +82,233 @@ static double cut(double x) {
     return x > 3 ? 3 : x < -3 ? -3 : x;
 }
 
-static void add_change(const survey *s, size_t change, const double *original,
-                       const double *changed, const double *control, batch *b) {
-    for (size_t i = 0; i < s->places; i++) {
-        b->changed[change] += (changed[i] != original[i]) / (double)s->places;
-        b->uv[change] += original[i] * changed[i];
-        b->vv[change] += changed[i] * changed[i];
+// The standardised values of a seed at places and, for `shift` and those up to `last`, at the
+// shifted ones, shift by shift. Returns 0 where the signal could not be made.
+static int sample(const bl_signal *signal, const bl_score_look *look, uint64_t seed, size_t shift,
+                  size_t last, size_t places, double place[BL_AXES][PLACES], double *out) {
+    bl_signal *fresh = bl_signal_reseed(signal, seed);
+    double column[BL_AXES][PLACES];
+    float value[PLACES];
+    if (!fresh)
+        return 0;
+    for (; shift <= last; shift++, out += places) {
+        for (size_t a = 0; a < BL_AXES; a++)
+            for (size_t i = 0; i < places; i++)
+                column[a][i] = place[a][i] + look->cell * along(shift, a);
+        bl_signal_points(fresh, (const double *const[]){column[0], column[1], column[2], column[3]},
+                         places, value);
+        for (size_t i = 0; i < places; i++)
+            out[i] = cut(((double)value[i] - look->mean) / look->deviation);
     }
-    for (size_t shift = 0; shift < s->shifts; shift++) {
-        double sum = 0;
-        for (size_t i = 0; i < s->places; i++) {
-            size_t k = shift * s->places + i;
-            sum += cut(original[i]) * (cut(changed[k]) - cut(control[k])) / (double)s->places;
+    bl_signal_free(fresh);
+    return 1;
+}
+
+static void choose_places(const bl_score_look *look, bl_random *random, size_t places,
+                          double place[BL_AXES][PLACES]) {
+    for (size_t a = 0; a < BL_AXES; a++)
+        for (size_t i = 0; i < places; i++)
+            place[a][i] = look->cell * 16384 * (bl_random_unit(random) - 0.5);
+}
+
+// --- the look -----------------------------------------------------------------------------------
+
+// Sums over the seeds of the look.
+typedef struct looks {
+    double product[CHANGES][SHIFTS], square[CHANGES][SHIFTS], own;
+    double changed[CHANGES]; // share of the places whose value differs
+    size_t shifts, seeds, places;
+    int is_missing; // a signal could not be made
+} looks;
+
+// The seeds of the look: the signal's own, small ones and large ones. 0 has no double, no bits to
+// exchange and no sign.
+static uint64_t seed_of_look(const bl_signal *signal, size_t index, bl_random *random) {
+    uint64_t seed = bl_random_bits(random);
+    if (index == 0)
+        memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);
+    else if (index % 2)
+        seed = 1 + seed % 255;
+    return seed ? seed : 1;
+}
+
+static void take_look(const bl_signal *signal, const bl_score_look *look, size_t index,
+                      bl_random random, looks *all) {
+    double place[BL_AXES][PLACES], original[PLACES], changed[SHIFTS * PLACES];
+    const size_t places = all->places;
+    uint64_t seed = seed_of_look(signal, index, &random);
+    choose_places(look, &random, places, place);
+    all->is_missing |= !sample(signal, look, seed, 0, 0, places, place, original);
+    for (size_t i = 0; i < places; i++)
+        all->own += original[i] * original[i];
+    for (size_t c = 0; c < CHANGES && !all->is_missing; c++) {
+        all->is_missing = !sample(signal, look, changed_seed(seed, c), 0, all->shifts - 1, places,
+                                  place, changed);
+        for (size_t i = 0; i < all->shifts * places; i++) {
+            size_t shift = i / places;
+            all->product[c][shift] += original[i % places] * changed[i];
+            all->square[c][shift] += changed[i] * changed[i];
+            all->changed[c] += shift == 0 && changed[i] != original[i];
         }
-        b->product[change][shift] = sum;
-        b->product[CHANGES][shift] += sum / (double)(BITS / s->stride + CHANGES - BITS);
     }
 }
 
-static void take(const survey *s, size_t j, uint64_t seed, bl_random random, batch *b) {
-    double column[BL_AXES][AT_ONCE], original[AT_ONCE], changed[AT_ONCE], control[AT_ONCE];
-    memset(b, 0, sizeof *b);
-    choose_places(s, &random, column);
-    b->is_missing =
-        !sample(s, seed, column, original) || !sample(s, bl_random_bits(&random), column, control);
-    for (size_t i = 0; i < s->places && !b->is_missing; i++)
-        b->uu += original[i] * original[i];
-    for (size_t change = 0; change < CHANGES && !b->is_missing; change++) {
-        if (!is_tried(s, change, j))
+// The correlation of a change at a shift.
+static double correlation(const looks *all, size_t change, size_t shift) {
+    return all->product[change][shift] / sqrt(all->own * all->square[change][shift]);
+}
+
+// --- the test -----------------------------------------------------------------------------------
+
+typedef struct test {
+    size_t change, shift;
+    double t;
+    bl_estimate correlation; // at the level that is shown
+    int is_missing;
+} test;
+
+static void run_test(const bl_signal *signal, const bl_score_look *look,
+                     const bl_score_settings *settings, test *tried) {
+    double contrast[TESTED_SEEDS], product[TESTED_SEEDS], power[TESTED_SEEDS];
+    int is_missing = 0;
+#pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)         \
+    reduction(|                                                                                    \
+              : is_missing)
+    for (size_t j = 0; j < TESTED_SEEDS; j++) {
+        double place[BL_AXES][PLACES], u[PLACES], v[PLACES], control[PLACES];
+        const size_t shift = tried->shift, places = TESTED_PLACES;
+        bl_random random = bl_score_random(
+            settings, "seeds", 1024 + (tried->change * SHIFTS + shift) * TESTED_SEEDS + j);
+        uint64_t seed = bl_random_bits(&random), other = bl_random_bits(&random);
+        choose_places(look, &random, places, place);
+        contrast[j] = product[j] = power[j] = 0;
+        if (!sample(signal, look, seed, 0, 0, places, place, u) ||
+            !sample(signal, look, changed_seed(seed, tried->change), shift, shift, places, place,
+                    v) ||
+            !sample(signal, look, other, shift, shift, places, place, control)) {
+            is_missing = 1;
             continue;
-        b->is_missing = !sample(s, changed_seed(seed, change), column, changed);
-        add_change(s, change, original, changed, control, b);
+        }
+        for (size_t i = 0; i < places; i++) {
+            contrast[j] += u[i] * (v[i] - control[i]) / (double)places;
+            product[j] += u[i] * v[i];
+            power[j] += 0.5 * (u[i] * u[i] + v[i] * v[i]);
+        }
     }
+    tried->is_missing = is_missing;
+    tried->t = bl_score_t(contrast, TESTED_SEEDS, 1);
+    tried->correlation = bl_ratio_estimate(product, power, TESTED_SEEDS, settings->level);
+}
+
+// The shift at which each change stands out most, tested where that is more than chance does.
+static bl_status test_changes(const bl_signal *signal, const bl_score_look *look,
+                              const bl_score_settings *settings, const looks *all, test *worst,
+                              size_t *tested) {
+    *worst = (test){0};
+    *tested = 0;
+    for (size_t c = 0; c < CHANGES; c++) {
+        size_t most = 0;
+        for (size_t shift = 1; shift < all->shifts; shift++)
+            if (fabs(correlation(all, c, shift)) > fabs(correlation(all, c, most)))
+                most = shift;
+        if (!(fabs(correlation(all, c, most)) > TOLD))
+            continue;
+        test tried = {.change = c, .shift = most};
+        run_test(signal, look, settings, &tried);
+        if (tried.is_missing)
+            return BL_DEVICE;
+        if (!(fabs(tried.t) <= fabs(worst->t)))
+            *worst = tried;
+        ++*tested;
+    }
+    return BL_OK;
 }
 
 // --- the verdict --------------------------------------------------------------------------------
 
-typedef struct totals {
-    double largest_t, limit; // the t that is largest against its limit
-    bl_estimate correlation; // the largest
-    double told;             // what the test of all changes at the same places can tell
-    double least_changed;
-    size_t worst_change, worst_shift, dead_bits, first_dead;
-} totals;
-
-// Of the mean over seeds of the product of all changes at the same places.
-static double standard_error(const survey *s, const batch *b) {
-    bl_moments moments = {.n = 0};
-    for (size_t j = 0; j < s->seeds; j++)
-        bl_moments_add(&moments, b[j].product[CHANGES][0]);
-    return sqrt(bl_moments_variance(&moments) / moments.n);
-}
-
-// The correlation of one change, or of all, at the same places. Its limits are those of the mean of
-// the products over seeds, divided by the variance.
-static bl_estimate correlation_of(const survey *s, const batch *b, size_t change, double level,
-                                  double *room) {
-    double power = 0;
-    size_t n = 0;
-    for (size_t j = first_of(s, change); j < s->seeds; j += step_of(s, change)) {
-        double uu = 0, uv = 0, vv = 0;
-        for (size_t c = 0; c < CHANGES; c++)
-            if (is_tried(s, c, j) && (c == change || change == CHANGES)) {
-                uu += b[j].uu;
-                uv += b[j].uv[c];
-                vv += b[j].vv[c];
-            }
-        power += (uu + vv) / 2;
-        room[n++] = uv;
+static void judge_dead(const looks *all, bl_score_property *result) {
+    size_t dead = 0, first = 0;
+    double least = 1;
+    for (size_t c = 0; c < CHANGES; c++) {
+        double share = all->changed[c] / (double)(all->seeds * all->places);
+        least = fmin(least, share);
+        if (c < BITS && share < 0.5 && dead++ == 0)
+            first = c;
     }
-    bl_estimate e = bl_mean_estimate(room, n, level);
-    double scale = (double)n / power;
-    e.value *= scale, e.lower *= scale, e.upper *= scale;
-    return e;
-}
-
-// The largest of all changes of which there are enough, at a level for all of them at once.
-static bl_estimate largest_correlation(const survey *s, const batch *b, double level,
-                                       double *room) {
-    bl_estimate largest = {.value = 0};
-    for (size_t change = 0; change <= CHANGES; change++) {
-        if (s->seeds / step_of(s, change) < LEAST_SEEDS)
-            continue;
-        bl_estimate e = correlation_of(s, b, change, 1 - (1 - level) / (CHANGES + 1), room);
-        if (!(fabs(e.value) <= fabs(largest.value)))
-            largest = e;
-    }
-    largest.level = level;
-    return largest;
-}
-
-static totals totals_of(const survey *s, const batch *b, double alpha) {
-    totals sum = {.least_changed = 1, .limit = INFINITY};
-    for (size_t change = 0; change <= CHANGES; change++) {
-        size_t step = step_of(s, change), n = s->seeds / step;
-        if (n < LEAST_SEEDS)
-            continue;
-        double limit = bl_score_t_limit(alpha, (double)((CHANGES + 1) * s->shifts), n);
-        for (size_t shift = 0; shift < s->shifts; shift++) {
-            double t = bl_score_t(&b[first_of(s, change)].product[change][shift], n,
-                                  step * sizeof *b / sizeof(double));
-            if (fabs(t) / limit >= fabs(sum.largest_t) / sum.limit || isnan(t)) {
-                sum.largest_t = t;
-                sum.limit = limit;
-                sum.worst_change = change;
-                sum.worst_shift = shift;
-            }
-            if (change == CHANGES && shift == 0)
-                sum.told = limit * standard_error(s, b);
-        }
-    }
-    for (size_t change = 0; change < CHANGES; change++) {
-        double changed = 0;
-        for (size_t j = 0; j < s->seeds; j++)
-            if (is_tried(s, change, j))
-                changed += b[j].changed[change] * (double)step_of(s, change) / (double)s->seeds;
-        sum.least_changed = fmin(sum.least_changed, changed);
-        if (changed < 0.5 && change < BITS && sum.dead_bits++ == 0)
-            sum.first_dead = change;
-    }
-    return sum;
-}
-
-static void describe(const totals *sum, char *text, size_t size) {
-    char shift[32] = "at the same places";
-    if (sum->worst_shift)
-        snprintf(shift, sizeof shift, "a cell apart along %c", "xyzw"[(sum->worst_shift - 1) / 2]);
-    if (sum->worst_change < BITS)
-        snprintf(text, size, "seeds that differ in bit %zu, %s,", sum->worst_change, shift);
-    else if (sum->worst_change < CHANGES)
-        snprintf(text, size, "seeds that differ by %zu, %s,", sum->worst_change - BITS + 1, shift);
-    else
-        snprintf(text, size, "neighbouring seeds, %s,", shift);
-}
-
-static void judge(const survey *s, const batch *b, totals sum, const bl_score_settings *settings,
-                  bl_score_property *result) {
-    char what[128];
-    double *room = malloc(s->seeds * sizeof *room);
-    if (!room) {
-        bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL, "out of memory");
+    bl_score_add_seen(result, "dead_bits", (double)dead);
+    bl_score_add_seen(result, "least_share_changed", least);
+    if (!dead)
         return;
-    }
-    sum.correlation = largest_correlation(s, b, settings->level, room);
-    free(room);
-    describe(&sum, what, sizeof what);
-    bl_score_add(result, "largest_correlation", sum.correlation);
-    bl_score_add_seen(result, "least_relation_told", sum.told);
-    bl_score_add_seen(result, "largest_deviate", sum.largest_t);
-    bl_score_add_seen(result, "limit_deviate", sum.limit);
-    bl_score_add_seen(result, "dead_bits", (double)sum.dead_bits);
-    bl_score_add_seen(result, "least_share_changed", sum.least_changed);
-    bl_score_add_exact(result, "seeds", (double)s->seeds);
-    snprintf(result->cell, sizeof result->cell, "|r| %.2g", fabs(sum.correlation.value));
-    if (sum.dead_bits) {
-        snprintf(result->cell, sizeof result->cell, "%u dead", (unsigned)sum.dead_bits);
-        bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_IDEAL,
-                       "%zu bits of the seed do nothing at most places, the first is bit %zu",
-                       sum.dead_bits, sum.first_dead);
-    } else if (isnan(sum.largest_t)) {
-        bl_score_not_finite(result);
-    } else if (fabs(sum.largest_t) > sum.limit) {
-        bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_IDEAL,
-                       "%s are related: %.1f standard errors", what, sum.largest_t);
-    } else if (!(sum.told <= MOST_TOLD)) {
-        bl_score_judge(result, BL_VERDICT_INCONCLUSIVE, BL_AGAINST_IDEAL,
-                       "all 64 bits count; a relation of neighbouring seeds below %.2g of the "
-                       "variance cannot be told from chance over %zu seeds",
-                       sum.told, s->seeds);
-    } else {
-        bl_score_judge(result, BL_VERDICT_PASS, BL_AGAINST_IDEAL,
-                       "all 64 bits count, and neighbouring seeds are unrelated: |r| up to %.3f "
-                       "over %zu places",
-                       fabs(sum.correlation.value), s->seeds * s->places);
-    }
+    snprintf(result->cell, sizeof result->cell, "%u dead", (unsigned)dead);
+    bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_IDEAL,
+                   "%zu bit%s of the seed do%s nothing at most places, the first is bit %zu", dead,
+                   bl_plural(dead), dead == 1 ? "es" : "", first);
 }
 
-// Measures and judges; returns 0 out of memory. With `has_more` seeds to come, a test that tells
-// too little judges nothing, and *is_coarse is set.
-static int run(const survey *s, const bl_score_settings *settings, int has_more, int *is_coarse,
-               bl_score_property *result) {
-    batch *batches = malloc(s->seeds * sizeof *batches);
-    int is_missing = !batches;
-    *is_coarse = 0;
-    if (batches) {
-#pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)
-        for (size_t j = 0; j < s->seeds; j++) {
-            const bl_signal *signal = s->signal;
-            bl_random random = bl_score_random(settings, "seeds", j);
-            uint64_t seed = bl_random_bits(&random);
-            if (j == 0)
-                memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);
-            take(s, j, seed, random, &batches[j]);
-        }
-        for (size_t j = 0; j < s->seeds; j++)
-            is_missing |= batches[j].is_missing;
-        totals sum = {0};
-        if (!is_missing)
-            sum = totals_of(s, batches, settings->alpha);
-        // Judged by the spread alone, not by the mean: the choice does not favour a verdict.
-        *is_coarse = has_more && sum.told > MOST_TOLD;
-        if (!is_missing && !*is_coarse)
-            judge(s, batches, sum, settings, result);
-    }
-    free(batches);
-    return !is_missing;
+static void judge(const test *worst, double limit, const bl_seed_pairs *pairs,
+                  bl_score_property *result) {
+    char change[48], shift[32] = "at the same places";
+    double largest =
+        fmax(fabs(pairs->correlation), worst->t != 0 ? fabs(worst->correlation.value) : 0);
+    tell_change(worst->change, change, sizeof change);
+    if (worst->shift)
+        snprintf(shift, sizeof shift, "%+g cells along %c",
+                 along(worst->shift, (worst->shift - 1) / 4), "xyzw"[(worst->shift - 1) / 4]);
+    snprintf(result->cell, sizeof result->cell, "|r| %.2g", largest);
+    if (isnan(worst->t) || isnan(pairs->correlation))
+        bl_score_not_finite(result);
+    else if (fabs(worst->t) > limit)
+        bl_score_judge(
+            result, BL_VERDICT_FAIL, BL_AGAINST_IDEAL,
+            "seeds that %s are related: r = %.3f (%.3f to %.3f) %s, %.1f standard errors", change,
+            worst->correlation.value, worst->correlation.lower, worst->correlation.upper, shift,
+            worst->t);
+    else if (fabs(pairs->correlation) > pairs->limit)
+        bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_IDEAL,
+                       "the seeds %llu and %llu are related: r = %.3f at %zu places, where random "
+                       "seeds have a deviation of %.3f",
+                       (unsigned long long)pairs->seeds[0], (unsigned long long)pairs->seeds[1],
+                       pairs->correlation, pairs->places, pairs->deviation);
+    else if (pairs->limit > MOST_TOLD)
+        bl_score_judge(result, BL_VERDICT_INCONCLUSIVE, BL_AGAINST_IDEAL,
+                       "all 64 bits count; a relation of two seeds below %.2g of the variance "
+                       "cannot be told from chance at %zu places",
+                       pairs->limit, pairs->places);
+    else
+        bl_score_judge(result, BL_VERDICT_PASS, BL_AGAINST_IDEAL,
+                       "all 64 bits count, and related seeds give unrelated signals: |r| up to "
+                       "%.3f among the seeds 0 to 31, at %zu places",
+                       fabs(pairs->correlation), pairs->places);
+}
+
+static bl_status measure_changes(const bl_signal *signal, const bl_score_look *look,
+                                 const bl_score_settings *settings, looks *all,
+                                 bl_score_property *result, bl_message *message) {
+    const double half = 0.5 * settings->alpha;
+    size_t tested;
+    test worst;
+    bl_seed_pairs pairs;
+    double limit = bl_score_t_limit(half, (double)(CHANGES * all->shifts), TESTED_SEEDS);
+    for (size_t j = 0; j < all->seeds; j++)
+        take_look(signal, look, j, bl_score_random(settings, "seeds", j), all);
+    if (all->is_missing || test_changes(signal, look, settings, all, &worst, &tested) != BL_OK)
+        return bl_score_no_memory(result, message);
+    if (bl_seed_pairs_measure(signal, look, settings, half, &pairs, message) != BL_OK)
+        return bl_score_no_memory(result, message);
+    bl_estimate r = {pairs.correlation, pairs.correlation - 2 * pairs.deviation,
+                     pairs.correlation + 2 * pairs.deviation, settings->level,
+                     (double)pairs.places};
+    bl_score_add(result, "largest_correlation", worst.t != 0 ? worst.correlation : r);
+    bl_score_add_seen(result, "largest_deviate", worst.t);
+    bl_score_add_seen(result, "limit_deviate", limit);
+    bl_score_add_exact(result, "changes_tested", (double)tested);
+    bl_score_add_seen(result, "pair_correlation", pairs.correlation);
+    bl_score_add_seen(result, "pair_limit", pairs.limit);
+    bl_score_add_exact(result, "seeds", (double)(all->seeds + tested * TESTED_SEEDS));
+    judge_dead(all, result);
+    if (result->verdict != BL_VERDICT_FAIL)
+        judge(&worst, limit, &pairs, result);
+    return BL_OK;
 }
 
 static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
@@ -321,25 +322,23 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     }
     if (!bl_score_look_at(subject, settings, result, &look))
         return BL_OK;
-    survey s = {.signal = signal, .look = &look, .shifts = 1 + 2 * look.dimensions};
-    s.seeds = (size_t)bl_size_pick(settings->size, 32, 128, 1024);
-    s.stride = 1;
-    if (signal->functions->build) {
-        s.stride = 16;
-    }
-    s.places = (size_t)bl_size_pick(settings->size, 16, 24, PLACES);
-    int is_coarse = 1, is_done = 1;
-    for (int more = 0; more <= MORE && is_done && is_coarse; more++, s.seeds *= 4)
-        is_done = run(&s, settings, more < MORE, &is_coarse, result);
-    return is_done ? BL_OK : bl_score_no_memory(result, message);
+    looks *all = calloc(1, sizeof *all);
+    if (!all)
+        return bl_score_no_memory(result, message);
+    all->shifts = 1 + 4 * look.dimensions;
+    all->seeds = (size_t)bl_size_pick(settings->size, 6, 8, 32);
+    all->places = PLACES;
+    bl_status status = measure_changes(signal, &look, settings, all, result, message);
+    free(all);
+    return status;
 }
 
 BL_PROPERTY_DESCRIPTOR(seeds) = {
     .name = "seeds",
     .title = "seeds",
     .entry =
-        "|r|, the largest correlation of seeds that differ by a bit or by 1 or 2; dead: bits of "
-        "the seed that do nothing",
-    .question = "Does every bit of the seed count, and are neighbouring seeds unrelated?",
+        "|r|, the largest correlation of related seeds, or of the seeds 0 to 31; dead: bits of the "
+        "seed that do nothing",
+    .question = "Does every bit of the seed count, and are related seeds unrelated signals?",
     .measure = measure,
 };
