@@ -26,6 +26,7 @@ static bl_resolution measure(const bl_call *call, const bl_signal *signal, const
     const bl_region region = region_of(grid);
     const bl_resolution_settings settings = {.allowed = BL_RESOLUTION_PICTURE,
                                              .variance = variance,
+                                             .samples = 0.5 * (double)(grid->width * grid->height),
                                              .is_brief = is_brief,
                                              .threads = bl_call_threads(call)};
     bl_resolution across = bl_resolution_measure(signal, &region, grid->right, &settings);

@@ -34,7 +34,9 @@ bl_resolution bl_psd_resolution(const bl_signal *signal, const bl_psd_settings *
     const bl_region region = region_of(settings, directions);
     if (signal->definition && signal->facts.band_to > 0.5 * settings->rate)
         allowed = fmin(allowed, OF_A_BAND); // its octaves are detail that counts, if little power
-    const bl_resolution_settings wanted = {.allowed = allowed, .threads = settings->threads};
+    const double samples = (double)settings->averages * pow((double)settings->size, settings->dims);
+    const bl_resolution_settings wanted = {
+        .allowed = allowed, .samples = samples / settings->dims, .threads = settings->threads};
     for (unsigned d = 0; d < settings->dims; d++) {
         for (int a = 0; a < BL_AXES; a++)
             step[a] = directions[d][a] / settings->rate;

@@ -161,6 +161,13 @@ static int is_own_grid(const bl_signal *signal, const double step[BL_AXES], doub
     return extent->size[0] != 0;
 }
 
+// How many chunks cost about as much as the samples that are taken anyway.
+static double chunks_afforded(const bl_signal *signal, const bl_resolution_settings *settings) {
+    if (signal->definition || settings->samples == 0)
+        return MANY;
+    return fmax(1, floor(settings->samples / (CHUNK * (LEVELS * (TAPS + 1) + 6.0))));
+}
+
 bl_resolution bl_resolution_measure(const bl_signal *signal, const bl_region *region,
                                     const double step[BL_AXES],
                                     const bl_resolution_settings *settings) {
@@ -177,10 +184,12 @@ bl_resolution bl_resolution_measure(const bl_signal *signal, const bl_region *re
     set_weights(look.weight);
     double origin = bl_signal_value(signal, region->origin);
     look.origin = isfinite(origin) ? origin : 0;
-    if (settings->is_brief || signal->functions->complaint) // values of a program cost a pipe
-        look.chunks = FEW;
-    else if (find(&look, 1, 1).kurtosis > RARE)
-        look.chunks = MANY;
+    double afforded = chunks_afforded(signal, settings);
+    look.chunks = settings->is_brief ? FEW : CHUNKS;
+    if (look.chunks > afforded)
+        look.chunks = (size_t)afforded; // at least 1
+    if (!settings->is_brief && find(&look, 1, 1).kurtosis > RARE)
+        look.chunks = (size_t)fmin(MANY, 4 * afforded);
     for (int level = 0; level < LEVELS - 1; level++)
         found[level] = find(&look, exp2(-level), 0).found;
     for (int base = 0; base < (settings->is_brief ? 1 : MOST); base++) {

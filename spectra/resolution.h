@@ -36,8 +36,11 @@ typedef struct bl_resolution_settings {
     double allowed;  // the share of the variance that may lie beyond
     double variance; // that the share is allowed of, if it is larger than what is seen: that of the
                      // unfiltered texture, of one that filters itself; 0: what is seen
-    int is_brief;    // fewer places, and no other rate is looked for
-    int threads;     // 0: all
+    double
+        samples;  // that are taken anyway: of a user's own signal, whose values may cost anything,
+                  // about as many more are asked for, or a few thousand; 0: enough
+    int is_brief; // fewer places, and no other rate is looked for
+    int threads;  // 0: all
 } bl_resolution_settings;
 
 typedef struct bl_resolution {

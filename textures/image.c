@@ -225,7 +225,7 @@ static void describe(const void *block, bl_facts *facts) {
 
 static const bl_parameter parameters[] = {
     {"path", BL_TEXT, offsetof(image_parameters, path), "", "",
-     .help = "of an image file; none: a built-in card"},
+     .help = "of an image file, which spans the unit square, t downwards; none: a built-in card"},
     {"colourspace", BL_TEXT, offsetof(image_parameters, colourspace), "file", "",
      .choices = bl_colourspace_words, .help = "of the file's codes; file: what it says of itself"},
     BL_NOISE_SOURCE_PARAMETERS(image_parameters, noise, "gnoise"),

@@ -56,6 +56,7 @@ static void warn_of(bl_run *run, const char *label, double rate, const bl_resolu
 static void warn_of_pictures(bl_run *run, const bl_gallery *gallery, const double origin[BL_AXES],
                              double length, size_t steps, unsigned sides) {
     const bl_resolution_settings settings = {.allowed = BL_RESOLUTION_PICTURE,
+                                             .samples = 0x1p16,
                                              .threads = bl_run_settings(run)->threads};
     const double spacing = length / (double)steps;
     bl_region region = {{0}, {{0}}};
