@@ -16,7 +16,7 @@
 #include "core/random.h"
 #include "textures/texture.h"
 
-enum { FINE_GRID = 2048, REPLICATES_MOST = 64, TIMED = 256, PILOT_SAMPLES = 32 };
+enum { GRIDS = 2, REPLICATES_MOST = 64, TIMED = 256, PILOT_SAMPLES = 32 };
 
 // Everything that is measured together.
 typedef struct measurement {
@@ -36,8 +36,7 @@ typedef struct measurement {
 bl_alias_settings bl_alias_default_settings(void) {
     return (bl_alias_settings){.pixel = BL_PIXEL_BOX,
                                .oversample = 4,
-                               .finest = 16,
-                               .replicates = 4,
+                               .replicates = 8,
                                .frames = 8,
                                .rounds = 31,
                                .turn_seconds = 3e-4,
@@ -49,8 +48,7 @@ bl_alias_settings bl_alias_default_settings(void) {
 bl_alias_settings bl_alias_settings_of_size(bl_size size) {
     bl_alias_settings settings = bl_alias_default_settings();
     if (size == BL_QUICK) {
-        settings.replicates = 3;
-        settings.finest = 8;
+        settings.replicates = 4;
         settings.frames = 4;
         settings.rounds = 15;
         settings.turn_seconds = 2e-4;
@@ -71,15 +69,6 @@ static bl_status out_of_memory(bl_message *message) {
 
 // --- alias and blur -----------------------------------------------------------------------------
 
-// The samples of F a pixel: a power of two times those of G.
-static size_t fine_samples(const measurement *m) {
-    size_t larger = m->view->width > m->view->height ? m->view->width : m->view->height;
-    size_t fine = m->settings->oversample;
-    while (2 * fine <= m->settings->finest && 2 * fine * larger <= FINE_GRID)
-        fine *= 2;
-    return fine;
-}
-
 // The scene with a signal of another seed, where there is one; what is made is to be freed.
 static bl_scene reseeded(const bl_scene *scene, uint64_t replicate, bl_signal **made) {
     bl_scene fresh = *scene;
@@ -91,47 +80,84 @@ static bl_scene reseeded(const bl_scene *scene, uint64_t replicate, bl_signal **
     return fresh;
 }
 
-static bl_status add_energies(measurement *m, size_t method, size_t replicate,
-                              const double shift[2], double level, const bl_image_spectrum *truth,
+// The grids of a replicate: where its pixels are, and how far each grid is moved.
+typedef struct grids {
+    double shift[2], jitter[GRIDS][2], level;
+} grids;
+
+static grids draw_grids(const measurement *m, size_t replicate) {
+    bl_random random = bl_random_seed(m->settings->seed, replicate);
+    grids at = {.shift = {bl_random_unit(&random), bl_random_unit(&random)},
+                .level = bl_colour_component(m->scene.mean, 0)};
+    for (int g = 0; g < GRIDS; g++)
+        for (int axis = 0; axis < 2; axis++)
+            at.jitter[g][axis] = bl_random_unit(&random);
+    return at;
+}
+
+static void free_spectra(bl_image_spectrum spectra[GRIDS]) {
+    for (int g = 0; g < GRIDS; g++)
+        bl_image_spectrum_free(&spectra[g]);
+}
+
+// On success the caller frees the spectra.
+static bl_status take_spectra(const measurement *m, const grids *at, bl_image_values values,
+                              const void *user, bl_image_spectrum spectra[GRIDS],
                               bl_message *message) {
+    bl_status status = BL_OK;
+    for (int g = 0; g < GRIDS; g++)
+        spectra[g] = (bl_image_spectrum){0};
+    for (int g = 0; g < GRIDS && status == BL_OK; g++)
+        status = bl_image_spectrum_take(values, user, m->view->width, m->view->height,
+                                        m->settings->oversample, at->shift, at->jitter[g],
+                                        at->level, m->settings->threads, &spectra[g], message);
+    if (status != BL_OK)
+        free_spectra(spectra);
+    return status;
+}
+
+static bl_status add_energies(measurement *m, size_t method, size_t replicate, const grids *at,
+                              const bl_image_spectrum truth[GRIDS], bl_message *message) {
     bl_signal *made;
-    bl_image_spectrum spectrum;
+    bl_image_spectrum sampled[GRIDS];
     bl_scene scene = reseeded(&m->scenes[method], replicate, &made);
     bl_scene_method image = m->images[method];
     image.scene = &scene;
-    bl_status status = bl_image_spectrum_take(bl_scene_luminances, &image, m->view->width,
-                                              m->view->height, m->settings->oversample, shift,
-                                              level, m->settings->threads, &spectrum, message);
+    bl_status status = take_spectra(m, at, bl_scene_luminances, &image, sampled, message);
     if (status == BL_OK) {
-        bl_energies energies = bl_image_energies(&spectrum, truth);
+        bl_energies energies = bl_image_energies(
+            sampled, truth, GRIDS, replicate == 0 ? BL_ALIAS_RINGS : 0, m->rows[method].rings);
         m->alias[method][replicate] = energies.alias;
         m->blur[method][replicate] = energies.blur;
         m->first[method][replicate] = energies.first_alias;
-        if (replicate == 0)
-            bl_image_error_rings(&spectrum, truth, BL_ALIAS_RINGS, m->rows[method].rings);
-        bl_image_spectrum_free(&spectrum);
+        free_spectra(sampled);
     }
     bl_signal_free(made);
     return status;
 }
 
 static bl_status run_replicate(measurement *m, size_t replicate, bl_message *message) {
-    bl_random random = bl_random_seed(m->settings->seed, replicate);
-    const double shift[2] = {bl_random_unit(&random), bl_random_unit(&random)};
-    double level = bl_colour_component(m->scene.mean, 0);
+    const grids at = draw_grids(m, replicate);
     bl_signal *made;
-    bl_image_spectrum truth;
+    bl_image_spectrum truth[GRIDS];
     bl_scene scene = reseeded(&m->scene, replicate, &made);
-    bl_status status = bl_image_spectrum_take(bl_scene_raw_luminances, &scene, m->view->width,
-                                              m->view->height, fine_samples(m), shift, level,
-                                              m->settings->threads, &truth, message);
+    bl_status status = take_spectra(m, &at, bl_scene_raw_luminances, &scene, truth, message);
     if (status == BL_OK) {
         for (size_t i = 0; i < m->count && status == BL_OK; i++)
-            status = add_energies(m, i, replicate, shift, level, &truth, message);
-        bl_image_spectrum_free(&truth);
+            status = add_energies(m, i, replicate, &at, truth, message);
+        free_spectra(truth);
     }
     bl_signal_free(made);
     return status;
+}
+
+// Energies are not negative, though the estimate of a small one may be.
+static bl_estimate energy_estimate(const double *values, size_t count, double level) {
+    bl_estimate estimate = bl_mean_estimate(values, count, level);
+    estimate.value = fmax(0, estimate.value);
+    estimate.lower = fmax(0, estimate.lower);
+    estimate.upper = fmax(0, estimate.upper);
+    return estimate;
 }
 
 static bl_status measure_energies(measurement *m, bl_alias_row *rows, bl_message *message) {
@@ -142,8 +168,8 @@ static bl_status measure_energies(measurement *m, bl_alias_row *rows, bl_message
     for (size_t i = 0; i < m->count && status == BL_OK; i++) {
         int known;
         bl_prediction prediction;
-        rows[i].alias = bl_mean_estimate(m->alias[i], replicates, m->settings->level);
-        rows[i].blur = bl_mean_estimate(m->blur[i], replicates, m->settings->level);
+        rows[i].alias = energy_estimate(m->alias[i], replicates, m->settings->level);
+        rows[i].blur = energy_estimate(m->blur[i], replicates, m->settings->level);
         rows[i].first_alias = m->first[i][0];
         status = bl_predict_energies(m->signal, m->view, &m->methods[i], m->settings->oversample,
                                      &prediction, &known, message);

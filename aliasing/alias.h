@@ -4,8 +4,8 @@
 //
 // Let F be the image that the view shows, as a function of a continuous place (x, y), and G what
 // the method gives for a pixel centred at (x, y). The pixels of an image are samples of G at the
-// centres. Both are computed on a grid of `oversample` samples a pixel along each axis, and in
-// their discrete Fourier transforms
+// centres. Both are computed on two grids of `oversample` samples a pixel along each axis, from
+// which aliasing/energy.h takes without bias
 //
 //   alias = the energy of G beyond half a cycle per pixel along either axis, which folds into the
 //           image: sum over k != 0 of int |G(f + k)|^2
@@ -28,8 +28,7 @@
 
 typedef struct bl_alias_settings {
     bl_pixel pixel;        // of the reference
-    unsigned oversample;   // samples of G a pixel along each axis
-    unsigned finest;       // those of F, at most: as many as keep its grid within 2048 x 2048
+    unsigned oversample;   // samples of F and G a pixel along each axis, on each of two grids
     unsigned replicates;   // of alias and blur, at random shifts of the grid, 2 to 64; the
                            // intervals come of their spread
     unsigned frames;       // of a pan and of a zoom; 0: no flicker

@@ -9,7 +9,6 @@
 #include "core/footprint.h"
 #include "core/grid.h"
 #include "core/memory.h"
-#include "spectra/window.h"
 
 static bl_status check_size(size_t width, size_t height, size_t oversample, bl_message *message) {
     const double most = 0x1p28; // samples; a plan of them is still quick
@@ -24,8 +23,8 @@ static bl_status check_size(size_t width, size_t height, size_t oversample, bl_m
 
 // Fills rows of 2*(columns/2 + 1) numbers; false if a value is not finite.
 static int fill(bl_image_values values, const void *user, const bl_image_spectrum *spectrum,
-                const double shift[2], double level, const double *across, const double *down,
-                int threads) {
+                const double shift[2], const double jitter[2], double level, const double *across,
+                const double *down, int threads) {
     const size_t columns = spectrum->width * spectrum->oversample;
     const size_t rows = spectrum->height * spectrum->oversample;
     const double step = 1.0 / (double)spectrum->oversample;
@@ -38,8 +37,8 @@ static int fill(bl_image_values values, const void *user, const bl_image_spectru
         for (size_t done = 0, here; done < columns; done += here) {
             here = columns - done < BL_BATCH ? columns - done : BL_BATCH;
             for (size_t i = 0; i < here; i++) {
-                x[i] = shift[0] + step * (double)(done + i);
-                y[i] = shift[1] + step * (double)j;
+                x[i] = shift[0] + step * ((double)(done + i) + jitter[0]);
+                y[i] = shift[1] + step * ((double)j + jitter[1]);
             }
             values(user, x, y, here, row + done);
         }
@@ -49,6 +48,35 @@ static int fill(bl_image_values values, const void *user, const bl_image_spectru
         }
     }
     return finite;
+}
+
+// A Hann window over the image, which stays where it is while the samples move by `jitter` steps.
+static void fill_window(size_t size, double jitter, double *out) {
+    for (size_t i = 0; i < size; i++) {
+        double sine = sin(M_PI * ((double)i + jitter) / (double)size);
+        out[i] = sine * sine;
+    }
+}
+
+// Turns the coefficients below the limit to the phases of a grid without jitter. Beyond it sizes
+// alone are asked for.
+static void turn_phases(const double jitter[2], bl_image_spectrum *spectrum) {
+    const size_t columns = spectrum->width * spectrum->oversample;
+    const size_t rows = spectrum->height * spectrum->oversample;
+    for (size_t row = 0; row < rows; row++) {
+        double m = 2 * row < rows ? (double)row : (double)row - (double)rows;
+        double *line = spectrum->coefficient + row * 2 * (columns / 2 + 1);
+        if (2 * fabs(m) >= (double)spectrum->height)
+            continue;
+        for (size_t k = 0; 2 * k < spectrum->width; k++) {
+            double phase = -2 * M_PI *
+                           ((double)k * jitter[0] / (double)columns + m * jitter[1] / (double)rows);
+            double c = cos(phase), s = sin(phase), *z = line + 2 * k;
+            double real = z[0] * c - z[1] * s;
+            z[1] = z[0] * s + z[1] * c;
+            z[0] = real;
+        }
+    }
 }
 
 // The weighted mean square of 1 is 1 after this: a transform of N samples has N times the sum.
@@ -62,8 +90,8 @@ static double scale_of(const double *across, size_t columns, const double *down,
 }
 
 static bl_status transform(bl_image_values values, const void *user, const double shift[2],
-                           double level, int threads, double *window, bl_image_spectrum *spectrum,
-                           bl_message *message) {
+                           const double jitter[2], double level, int threads, double *window,
+                           bl_image_spectrum *spectrum, bl_message *message) {
     const size_t columns = spectrum->width * spectrum->oversample;
     const size_t rows = spectrum->height * spectrum->oversample;
     const bl_fft_shape shape = {.kind = BL_FFT_REAL,
@@ -73,12 +101,12 @@ static bl_status transform(bl_image_values values, const void *user, const doubl
                                 .threads = 1};
     const bl_fft *plan;
     double *down = window + columns;
-    bl_window_fill(BL_WINDOW_HANN, columns, window);
-    bl_window_fill(BL_WINDOW_HANN, rows, down);
+    fill_window(columns, jitter[0], window);
+    fill_window(rows, jitter[1], down);
     bl_status status = bl_fft_plan(&shape, &plan, message);
     if (status != BL_OK)
         return status;
-    if (!fill(values, user, spectrum, shift, level, window, down, threads))
+    if (!fill(values, user, spectrum, shift, jitter, level, window, down, threads))
         return bl_report(message, BL_MISMATCH,
                          "the image is not finite everywhere; use a view "
                          "that sees the signal only where it has values");
@@ -86,13 +114,14 @@ static bl_status transform(bl_image_values values, const void *user, const doubl
     double scale = scale_of(window, columns, down, rows);
     for (size_t i = 0; i < rows * 2 * (columns / 2 + 1); i++)
         spectrum->coefficient[i] *= scale;
+    turn_phases(jitter, spectrum);
     return BL_OK;
 }
 
 bl_status bl_image_spectrum_take(bl_image_values values, const void *user, size_t width,
                                  size_t height, size_t oversample, const double shift[2],
-                                 double level, int threads, bl_image_spectrum *spectrum,
-                                 bl_message *message) {
+                                 const double jitter[2], double level, int threads,
+                                 bl_image_spectrum *spectrum, bl_message *message) {
     bl_status status = check_size(width, height, oversample, message);
     if (status != BL_OK)
         return status;
@@ -103,7 +132,7 @@ bl_status bl_image_spectrum_take(bl_image_values values, const void *user, size_
     if (!window || !spectrum->coefficient)
         status = bl_report(message, BL_DEVICE, "out of memory for the spectrum of an image");
     else
-        status = transform(values, user, shift, level, threads, window, spectrum, message);
+        status = transform(values, user, shift, jitter, level, threads, window, spectrum, message);
     free(window);
     if (status != BL_OK)
         bl_image_spectrum_free(spectrum);
@@ -144,51 +173,76 @@ static void note_strongest(double energy, double fx, double fy, double *most,
     energies->first_alias = hypot(folded(fx), folded(fy));
 }
 
-bl_energies bl_image_energies(const bl_image_spectrum *sampled, const bl_image_spectrum *truth) {
+// What several grids say of one coefficient: the mean of its squared sizes, and how much of that is
+// power from beyond the grids, which came in with another phase on each (the variance of numbers
+// of which as many are seen).
+typedef struct bl_seen {
+    double square, foreign;
+} bl_seen;
+
+static bl_seen seen_of(const double (*z)[2], size_t grids) {
+    const double n = (double)grids;
+    double real = 0, imaginary = 0, square = 0, spread = 0;
+    for (size_t g = 0; g < grids; g++) {
+        real += z[g][0] / n;
+        imaginary += z[g][1] / n;
+        square += (z[g][0] * z[g][0] + z[g][1] * z[g][1]) / n;
+    }
+    for (size_t g = 0; g < grids; g++)
+        spread +=
+            (z[g][0] - real) * (z[g][0] - real) + (z[g][1] - imaginary) * (z[g][1] - imaginary);
+    return (bl_seen){square, grids > 1 ? spread / (n - 1) : 0};
+}
+
+// The coefficient at k and m on each grid, of the sampled image and of what it lacks.
+static void see(const bl_image_spectrum *sampled, const bl_image_spectrum *truth, size_t grids,
+                size_t k, int64_t m, bl_seen *image, bl_seen *lack) {
+    double z[BL_IMAGE_GRIDS][2], d[BL_IMAGE_GRIDS][2] = {0};
+    for (size_t g = 0; g < grids; g++) {
+        const double *c = at(&sampled[g], k, m), *f = truth ? at(&truth[g], k, m) : c;
+        for (int part = 0; part < 2; part++) {
+            z[g][part] = c[part];
+            d[g][part] = f[part] - c[part];
+        }
+    }
+    *image = seen_of((const double(*)[2])z, grids);
+    *lack = seen_of((const double(*)[2])d, grids);
+}
+
+bl_energies bl_image_energies(const bl_image_spectrum *sampled, const bl_image_spectrum *truth,
+                              size_t grids, size_t rings, double *ring) {
     const size_t columns = sampled->width * sampled->oversample;
     const int64_t rows = (int64_t)(sampled->height * sampled->oversample);
     const double width = (double)sampled->width, height = (double)sampled->height;
+    const double ring_of = (double)rings / bl_image_highest(sampled->oversample);
     bl_energies energies = {.first_alias = NAN, .strongest = {NAN, NAN}};
     double most = 0;
-    for (int64_t m = -(rows / 2) + !(rows % 2); m <= rows / 2; m++) {
-        int inside = 2.0 * fabs((double)m) < height;
+    for (size_t i = 0; i < rings; i++)
+        ring[i] = 0;
+    for (int64_t m = -(rows / 2) + !(rows % 2); m <= rows / 2; m++)
         for (size_t k = 0; k <= columns / 2; k++) {
-            const double *g = at(sampled, k, m);
-            double weight = weight_of(sampled, k), energy = weight * (g[0] * g[0] + g[1] * g[1]);
-            energies.total += energy;
-            if (!inside || 2.0 * (double)k >= width) {
-                energies.alias += energy;
-                note_strongest(energy, (double)k / width, (double)m / height, &most, &energies);
+            const double fx = (double)k / width, fy = (double)m / height;
+            const double weight = weight_of(sampled, k);
+            const int inside = fabs(fx) < 0.5 && fabs(fy) < 0.5;
+            bl_seen image, lack;
+            see(sampled, inside ? truth : NULL, grids, k, m, &image, &lack);
+            double alias = weight * (inside ? image.foreign : image.square);
+            double blur = inside ? weight * (lack.square - lack.foreign) : 0;
+            energies.total += weight * image.square;
+            energies.alias += alias;
+            energies.blur += blur;
+            energies.within += inside ? weight * (image.square - image.foreign) : 0;
+            note_strongest(alias, fx, fy, &most, &energies);
+            if (!rings)
                 continue;
-            }
-            const double *f = at(truth, k, m);
-            double real = f[0] - g[0], imaginary = f[1] - g[1];
-            energies.blur += weight * (real * real + imaginary * imaginary);
-            energies.within += weight * (f[0] * f[0] + f[1] * f[1]);
+            size_t here = (size_t)(ring_of * hypot(fx, fy));
+            here = here < rings ? here : rings - 1;
+            ring[here] += inside ? blur : alias;
+            ring[rings - 1] += inside ? alias : 0;
         }
-    }
     return energies;
 }
 
 double bl_image_highest(size_t oversample) {
     return (double)oversample * sqrt(0.5);
-}
-
-void bl_image_error_rings(const bl_image_spectrum *sampled, const bl_image_spectrum *truth,
-                          size_t count, double *energy) {
-    const size_t columns = sampled->width * sampled->oversample;
-    const int64_t rows = (int64_t)(sampled->height * sampled->oversample);
-    const double width = (double)sampled->width, height = (double)sampled->height;
-    const double rings = (double)count / bl_image_highest(sampled->oversample);
-    for (size_t i = 0; i < count; i++)
-        energy[i] = 0;
-    for (int64_t m = -(rows / 2) + !(rows % 2); m <= rows / 2; m++)
-        for (size_t k = 0; k <= columns / 2; k++) {
-            int inside = 2.0 * fabs((double)m) < height && 2.0 * (double)k < width;
-            const double *g = at(sampled, k, m), *f = at(truth, inside ? k : 0, inside ? m : 0);
-            double real = g[0] - (inside ? f[0] : 0), imaginary = g[1] - (inside ? f[1] : 0);
-            size_t ring = (size_t)(rings * hypot((double)k / width, (double)m / height));
-            energy[ring < count ? ring : count - 1] +=
-                weight_of(sampled, k) * (real * real + imaginary * imaginary);
-        }
 }

@@ -109,6 +109,26 @@ static void fill_json(json_t *object, const bl_signal *signal, const bl_view *vi
     json_object_set_new(object, "rows", bl_table_json(&rows));
 }
 
+static void print_reference(FILE *out, const bl_alias_result *result) {
+    if (result->reference.exact) {
+        fputs("reference of mse to largest: the exact integral over each pixel", out);
+    } else {
+        fprintf(out,
+                "reference of mse to largest: the mean of %.4g samples a pixel, rms error below "
+                "%.2g",
+                result->reference.samples, result->reference_error);
+        if (!bl_alias_is_converged(result))
+            fputs(
+                "\n(more than a tenth of the smallest error below: see the interval of mse, or "
+                "take --full)",
+                out);
+    }
+    fputs(
+        "\nreference of alias and blur: the image below half a cycle per pixel, ideally "
+        "filtered\n\n",
+        out);
+}
+
 static void print_table(FILE *out, const bl_signal *signal, const bl_view *view,
                         const bl_alias_settings *settings, const bl_alias_result *result) {
     const bl_table rows = bl_alias_table(result);
@@ -117,12 +137,7 @@ static void print_table(FILE *out, const bl_signal *signal, const bl_view *view,
     bl_plain_text(out, view->text);
     fprintf(out, ", %zu x %zu pixels, %s pixel\n", view->width, view->height,
             bl_pixel_words[settings->pixel]);
-    fprintf(out, "reference: %s%.4g samples a pixel, rms error below %.2g%s\n\n",
-            result->reference.exact ? "exact, " : "", result->reference.samples,
-            result->reference_error,
-            bl_alias_is_converged(result) ? ""
-                                          : "\n(more than a tenth of the smallest error below: see "
-                                            "the interval of mse, or take --full)");
+    print_reference(out, result);
     bl_table_print(&rows, out);
     fputs(
         "\nalias, blur, mse and flicker are squares of the luminance; ns is ns_per_sample, of a "

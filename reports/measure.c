@@ -143,11 +143,9 @@ const bl_histogram *bl_run_histogram(bl_run *run, const bl_signal *signal,
 
 // --- aliases and tables -------------------------------------------------------------------------
 
-bl_alias_settings bl_run_alias_settings(const bl_run *run, double replicates, double finest,
-                                        double most_samples) {
+bl_alias_settings bl_run_alias_settings(const bl_run *run, double replicates, double most_samples) {
     bl_alias_settings settings = bl_alias_default_settings();
     settings.replicates = (unsigned)replicates;
-    settings.finest = (unsigned)finest;
     settings.most_samples = (uint32_t)most_samples;
     settings.frames = 0;
     settings.rounds = 0;

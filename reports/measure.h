@@ -42,8 +42,7 @@ const bl_histogram *bl_run_histogram(bl_run *run, const bl_signal *signal,
                                      const bl_histogram_settings *settings);
 
 // Of the picture alone: no flicker, no times.
-bl_alias_settings bl_run_alias_settings(const bl_run *run, double replicates, double finest,
-                                        double most_samples);
+bl_alias_settings bl_run_alias_settings(const bl_run *run, double replicates, double most_samples);
 const bl_alias_result *bl_run_alias(bl_run *run, const bl_signal *signal, const bl_view *view,
                                     const char *const *methods, size_t count,
                                     const bl_alias_settings *settings);

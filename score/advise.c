@@ -122,7 +122,6 @@ bl_advise_settings bl_advise_settings_of_size(bl_size size) {
     alias->rounds = (unsigned)bl_size_pick(size, 9, 25, 101);
     alias->turn_seconds = bl_size_pick(size, 5e-4, 2e-3, 2e-3);
     alias->replicates = size == BL_FULL ? 8 : 2;
-    alias->finest = size == BL_QUICK ? 4 : 8;
     alias->most_samples = (uint32_t)bl_size_pick(size, 256, 1024, 1 << 14);
     return settings;
 }

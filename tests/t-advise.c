@@ -107,7 +107,6 @@ static void test_a_plane_needs_a_range_of_widths(void **state) {
 static bl_advise_settings quick(double tolerance, int largest) {
     bl_advise_settings settings = {tolerance, largest, bl_alias_default_settings()};
     settings.alias.replicates = 2;
-    settings.alias.finest = 4;
     settings.alias.frames = 0;
     settings.alias.rounds = 5;
     settings.alias.turn_seconds = 2e-4;

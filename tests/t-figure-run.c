@@ -173,7 +173,7 @@ static void fail_at_a_histogram(bl_run *run) {
 
 static void fail_at_an_alias(bl_run *run) {
     static const char *const methods[] = {"point", "no method"};
-    const bl_alias_settings settings = bl_run_alias_settings(run, 2, 4, 4);
+    const bl_alias_settings settings = bl_run_alias_settings(run, 2, 4);
     bl_run_alias(run, bl_run_signal(run, "brick"), bl_run_view(run, "flat:scale=2", 8, 8), methods,
                  2, &settings);
 }

@@ -107,8 +107,7 @@ static const bl_alias_result *measure(bl_run *run, int n) {
     const size_t pixels = bl_run_count(run, 32, 64, 128);
     const char *methods[METHODS_MOST];
     const bl_alias_settings settings =
-        bl_run_alias_settings(run, bl_run_pick(run, 2, 3, 16), bl_run_pick(run, 8, 16, 16),
-                              bl_run_pick(run, 32, 128, 1024));
+        bl_run_alias_settings(run, bl_run_pick(run, 2, 3, 16), bl_run_pick(run, 32, 128, 1024));
     const bl_signal *signal = bl_run_signal(run, text_of(run, n, pixels));
     const bl_view *view = bl_run_view(run, view_of(run, n, pixels), pixels, pixels);
     for (size_t i = 0; i < way_count(s); i++)
@@ -256,9 +255,10 @@ static error_lines measure_lines(bl_run *run, const bl_alias_result *m, const bl
     const error_image image = {row, reference};
     error_lines lines = {0, 0};
     bl_image_spectrum spectrum;
-    bl_run_must(run, bl_image_spectrum_take(fill_errors, &image, reference->width,
-                                            reference->height, 1, (const double[2]){0.5, 0.5}, 0, 1,
-                                            &spectrum, bl_run_message(run)));
+    bl_run_must(run,
+                bl_image_spectrum_take(fill_errors, &image, reference->width, reference->height, 1,
+                                       (const double[2]){0.5, 0.5}, (const double[2]){0, 0}, 0, 1,
+                                       &spectrum, bl_run_message(run)));
     size_t half = reference->width / 2 + 1;
     for (size_t k = 0; k < half * reference->height; k++) {
         const double *c = spectrum.coefficient + 2 * k;

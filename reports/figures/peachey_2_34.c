@@ -20,8 +20,7 @@ static void draw_widths(bl_run *run, const double *place, double width[METHODS][
 
 static const bl_alias_result *measure(bl_run *run, const bl_wall *wall, const bl_view *view) {
     const bl_alias_settings settings =
-        bl_run_alias_settings(run, bl_run_pick(run, 3, 4, 32), bl_run_pick(run, 4, 16, 16),
-                              bl_run_pick(run, 32, 64, 1024));
+        bl_run_alias_settings(run, bl_run_pick(run, 3, 4, 32), bl_run_pick(run, 32, 64, 1024));
     return bl_run_alias(run, wall->brick, view, methods, METHODS, &settings);
 }
 

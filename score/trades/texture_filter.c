@@ -20,7 +20,7 @@ static int applies(const bl_signal *subject, const char *word) {
 static bl_alias_settings settings_of(const bl_trade_settings *settings) {
     static const unsigned samples[] = {128, 512, 4096}, rounds[] = {15, 31, 101};
     bl_alias_settings alias = bl_alias_default_settings();
-    alias.oversample = alias.finest = 1; // alias and blur apart are not asked for
+    alias.oversample = 1; // alias and blur apart are not asked for
     alias.replicates = 2;
     alias.frames = 0;
     alias.rounds = rounds[settings->size];
