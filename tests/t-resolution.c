@@ -106,6 +106,28 @@ static void test_each_axis_is_judged_alone(void **state) {
     assert_true(measure_text(text, 1, 64, 0.02).rate > 128);
 }
 
+static void test_threads_change_nothing(void **state) {
+    (void)state;
+    bl_signal *signal = bl_test_open_source("wood");
+    bl_resolution found[2];
+    for (int i = 0; i < 2; i++) {
+        const bl_resolution_settings settings = {.allowed = 0.01, .threads = 1 + 2 * i};
+        found[i] =
+            bl_resolution_measure(signal, &around, (const double[BL_AXES]){1.0 / 16}, &settings);
+    }
+    assert_memory_equal(&found[0], &found[1], sizeof *found);
+    bl_signal_free(signal);
+}
+
+// A signal that is rarely other than its usual value: a thousandth of the places see it.
+static void test_rare_detail_is_seen(void **state) {
+    (void)state;
+    bl_resolution found = measure_text("pulse:low=0,high=0.001", 0, 16, 0.01);
+    // The transform of a pulse of width w: the share beyond N is 1 - 2 N w for N w well below 1.
+    assert_true(found.beyond > 0.5 && found.rate > 4096 && found.rate < 1e6);
+    assert_true(measure_text("pulse:low=0,high=0.001", 0, found.rate, 0.01).times == 1);
+}
+
 // --- as the verbs tell it -----------------------------------------------------------------------
 
 static const char *warned(const bl_ran *ran) {
@@ -273,6 +295,8 @@ int main(void) {
         cmocka_unit_test(test_noises_leave_what_their_closed_form_says),
         cmocka_unit_test(test_registry_noises_are_resolved_at_the_usual_rate),
         cmocka_unit_test(test_each_axis_is_judged_alone),
+        cmocka_unit_test(test_threads_change_nothing),
+        cmocka_unit_test(test_rare_detail_is_seen),
         cmocka_unit_test(test_spectra_warn_with_the_rate_that_does),
         cmocka_unit_test(test_pictures_warn_with_what_does),
         cmocka_unit_test(test_scores_warn_of_what_they_do_not_resolve),
