@@ -5,7 +5,9 @@
 // Repeats. From one place, a row of steps of one cell along an axis tells every repeat within some
 // ten thousand cells; farther out the shifts 2^k, 3 2^k and 10^k cells are tried up to 2^40, and
 // what the signal states, also backwards and divided by small primes. When a shift is a repeat, says
-// sameness.h; a signal that hardly ever differs is not judged. There is no chance in it.
+// sameness.h; a signal that hardly ever differs is not judged. Repeats by vectors across the axes are
+// sought too (vectors.h). Farther out than a function has distinct values there are no repeats to
+// find, and the reason says how far that is. There is no chance in it.
 //
 // Lines. A mean that depends on the phase in the cell, or a long period, is a line in the spectrum:
 // all its power in one bin of a periodogram, however long. One long row along each axis, at 8
@@ -18,6 +20,7 @@
 // below the variance are rounding and not counted, and an axis with a stated period has its own
 // lines. A line does not refute a stated period of 0; it is judged against the ideal alone.
 #include "score/properties/sameness.h"
+#include "score/properties/vectors.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -86,6 +89,8 @@ static double walk_cells(const walk *w, size_t cells) {
     if (!value)
         return -1;
     bl_score_exact_place(w->look, &random, start);
+    // Half a cell: floats keep it far out, and noises of a lattice are not 0 there.
+    start[w->axis] = w->look->cell * (floor(start[w->axis] / w->look->cell) + 0.5);
     step[w->axis] = w->look->cell;
     bl_signal_row(w->signal, start, step, cells + 1, value);
     for (size_t i = 1; i <= cells && found == 0; i++)
@@ -119,6 +124,28 @@ static double smallest_repeat(const walk *w, double stated) {
         if (tried[i] > (double)cells && (found == 0 || tried[i] < found) && repeats(w, tried[i]))
             found = tried[i];
     return found;
+}
+
+// The farthest power of two of cells where half of the eighths of a cell have values of their own.
+static double distinct_up_to(const walk *w) {
+    enum { EIGHTHS = 32 };
+    int power = 0;
+    for (int k = 1; k <= POWER_MOST; k++) {
+        bl_random random = bl_score_random(w->settings, "period", 40 + w->axis);
+        double at[BL_AXES], last = NAN;
+        int distinct = 0;
+        bl_score_exact_place(w->look, &random, at);
+        for (int i = 0; i < EIGHTHS; i++) {
+            at[w->axis] = w->look->cell * (ldexp(1, k) + 0.125 * i);
+            double value = bl_signal_value(w->signal, at);
+            distinct += isfinite(value) && value != last;
+            last = value;
+        }
+        if (2 * distinct < EIGHTHS)
+            break;
+        power = k;
+    }
+    return ldexp(1, power);
 }
 
 // --- lines --------------------------------------------------------------------------------------
@@ -195,6 +222,7 @@ static bl_status measure_line(const walk *w, double p, strongest *best, bl_messa
 typedef struct axis_result {
     double stated, repeat; // stated: NAN if it is not
     int is_true;           // the stated period holds, in both directions
+    double reach;          // cells up to which values are distinct
     strongest line;
 } axis_result;
 
@@ -207,6 +235,7 @@ static bl_status measure_axis(const walk *w, axis_result *r, bl_message *message
         r->is_true &= repeats(w, sign * r->stated) && points_repeat(w, sign * r->stated);
     if (r->repeat < 0)
         return bl_report(message, BL_DEVICE, "out of memory for a row");
+    r->reach = distinct_up_to(w);
     if (r->stated > 0 || r->repeat > 0)
         return BL_OK;
     return measure_line(w, w->settings->alpha / w->look->dimensions, &r->line, message);
@@ -235,7 +264,30 @@ static void judge_repeats(const axis_result *r, unsigned axes, double cell, int 
     }
 }
 
-static void judge(const axis_result *r, unsigned axes, double cell, bl_score_property *result) {
+// "57, -1, 0": in units.
+static void judge_vector(const double vector[BL_AXES], unsigned axes, double cell,
+                         bl_score_property *result) {
+    static const char *const names[] = {"vector_x", "vector_y", "vector_z", "vector_w"};
+    char text[96] = "";
+    size_t used = 0;
+    int is_one = 0;
+    for (unsigned a = 0; a < axes; a++) {
+        is_one |= vector[a] != 0;
+        bl_score_add_seen(result, names[a], vector[a] * cell);
+        if (used < sizeof text)
+            used += (size_t)snprintf(text + used, sizeof text - used, "%s%.10g", a ? ", " : "",
+                                     vector[a] * cell);
+    }
+    if (!is_one || result->verdict == BL_VERDICT_FAIL)
+        return;
+    snprintf(result->cell, sizeof result->cell, "%.23s", text);
+    bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_IDEAL, "repeats after the vector (%s)",
+                   text);
+}
+
+static void judge(const axis_result *r, unsigned axes, double cell, const double vector[BL_AXES],
+                  bl_score_property *result) {
+    double reach = INFINITY;
     static const char *const repeat_names[] = {"repeat_x", "repeat_y", "repeat_z", "repeat_w"};
     double smallest = INFINITY;
     int is_stated, line_axis = -1;
@@ -244,6 +296,7 @@ static void judge(const axis_result *r, unsigned axes, double cell, bl_score_pro
         bl_score_add_seen(result, repeat_names[a], r[a].repeat * cell);
         if (r[a].repeat > 0)
             smallest = fmin(smallest, r[a].repeat * cell);
+        reach = fmin(reach, r[a].reach);
         if (r[a].line.excess > line.excess)
             line = r[a].line, line_axis = (int)a;
     }
@@ -256,6 +309,7 @@ static void judge(const axis_result *r, unsigned axes, double cell, bl_score_pro
     else
         snprintf(result->cell, sizeof result->cell, "%.10g", smallest);
     judge_repeats(r, axes, cell, &is_stated, result);
+    judge_vector(vector, axes, cell, result);
     if (result->verdict == BL_VERDICT_FAIL)
         return;
     if (line.excess > 1)
@@ -267,8 +321,10 @@ static void judge(const axis_result *r, unsigned axes, double cell, bl_score_pro
                        "xyzw"[line_axis], 10 * log10(line.ratio));
     else
         bl_score_judge(result, BL_VERDICT_PASS, is_stated ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL,
-                       "%s, no other repeat up to 2^%d cells, and no spectral line",
-                       isinf(smallest) ? "no period" : "the stated period holds", POWER_MOST);
+                       "%s, no other repeat up to %.3g units%s, and no spectral line",
+                       isinf(smallest) ? "no period" : "the stated period holds", reach * cell,
+                       reach < ldexp(1, POWER_MOST) ? ", where its values cease to be distinct"
+                                                    : "");
 }
 
 static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
@@ -295,7 +351,14 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
             bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL, "out of memory");
             return bl_report(message, statuses[a], "%s", messages[a].text);
         }
-    judge(axes, look.dimensions, look.cell, result);
+    double along[BL_AXES] = {0}, vector[BL_AXES];
+    for (unsigned a = 0; a < look.dimensions; a++)
+        along[a] = axes[a].repeat > 0 ? axes[a].repeat : fmax(0, axes[a].stated); // NaN: 0
+    bl_status status =
+        bl_score_find_vector(subject->signal, &look, settings, along, vector, message);
+    if (status != BL_OK)
+        return bl_score_no_memory(result, message);
+    judge(axes, look.dimensions, look.cell, vector, result);
     return BL_OK;
 }
 

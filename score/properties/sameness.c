@@ -2,6 +2,7 @@
 #include "score/properties/sameness.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { DIFFERENT = 6, MOST_PLACES = 4096 };
@@ -49,13 +50,18 @@ double bl_score_change_by_rounding(const bl_signal *signal, const bl_score_look 
     return fmin(change, SLOPE * look->range);
 }
 
-bl_score_likeness bl_score_compare(const bl_signal *signal, const bl_score_look *look,
-                                   const bl_score_map *map, int places, bl_random random) {
+// Places of so many parts of a cell, along the axes that the map moves.
+static bl_score_likeness compare_at(const bl_signal *signal, const bl_score_look *look,
+                                    const bl_score_map *map, int parts, int places,
+                                    bl_random random) {
     double first = 0, sum = 0, near = BL_SAME * look->range;
     int different = 0, like = 1, opposite = 1;
     for (int i = 0; i < MOST_PLACES && (like || opposite); i++) {
         double at[BL_AXES], image[BL_AXES];
         bl_score_exact_place(look, &random, at);
+        for (int a = 0; a < BL_AXES; a++)
+            if (map->shift[a] != 0)
+                at[a] = look->cell * floor(at[a] / look->cell * parts) / parts;
         bl_score_image(map, at, image);
         double here = bl_signal_value(signal, at), there = bl_signal_value(signal, image);
         first = i ? first : here;
@@ -70,4 +76,81 @@ bl_score_likeness bl_score_compare(const bl_signal *signal, const bl_score_look 
             return like ? BL_LIKE : opposite ? BL_OPPOSITE : BL_UNLIKE;
     }
     return BL_UNLIKE;
+}
+
+bl_score_likeness bl_score_compare(const bl_signal *signal, const bl_score_look *look,
+                                   const bl_score_map *map, int places, bl_random random) {
+    static const int parts[] = {256, 8, 4, 2, 1};
+    enum { PARTS = sizeof parts / sizeof *parts };
+    double farthest = 0;
+    for (int a = 0; a < BL_AXES; a++)
+        farthest = fmax(farthest, fabs(map->shift[a]));
+    bl_score_likeness found = BL_UNLIKE;
+    for (int p = 0; p < (farthest >= 4096 * look->cell ? PARTS : 1) && found == BL_UNLIKE; p++)
+        found = compare_at(signal, look, map, parts[p], places, random);
+    return found;
+}
+
+// --- the look at many maps ----------------------------------------------------------------------
+
+enum { TRIED = 256, PROBES = 2 };
+#define FLOATS 1e-4 // of the range: floats of correct rows and points differ by less
+
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+// Two places, among many, whose values are far from the middle one and from each other. They are
+// odd eighths of a cell, which floats keep far out, and where noises of a lattice are not 0.
+static void choose_probes(const bl_signal *signal, const bl_score_look *look, bl_random *random,
+                          double probes[PROBES][BL_AXES]) {
+    double at[TRIED][BL_AXES], value[TRIED], sorted[TRIED];
+    size_t best[PROBES] = {0};
+    for (size_t i = 0; i < TRIED; i++) {
+        bl_score_exact_place(look, random, at[i]);
+        for (int a = 0; a < BL_AXES; a++)
+            at[i][a] = look->cell * (floor(at[i][a] / look->cell * 4) / 4 + 0.125);
+        sorted[i] = value[i] = bl_signal_value(signal, at[i]);
+    }
+    qsort(sorted, TRIED, sizeof *sorted, ascending);
+    double middle = sorted[TRIED / 2];
+    for (size_t i = 1; i < TRIED; i++)
+        if (fabs(value[i] - middle) > fabs(value[best[0]] - middle))
+            best[0] = i;
+    for (size_t i = 1; i < TRIED; i++)
+        if (fabs(value[i] - value[best[0]]) * fabs(value[i] - middle) >
+            fabs(value[best[1]] - value[best[0]]) * fabs(value[best[1]] - middle))
+            best[1] = i;
+    for (size_t p = 0; p < PROBES; p++)
+        memcpy(probes[p], at[best[p]], sizeof at[0]);
+}
+
+void bl_score_likely(const bl_signal *signal, const bl_score_look *look, const bl_score_map *maps,
+                     size_t count, bl_random *random, unsigned char *is_likely) {
+    enum { EACH = 512 };
+    double near = FLOATS * look->range, here[PROBES], probes[PROBES][BL_AXES];
+    choose_probes(signal, look, random, probes);
+    for (int p = 0; p < PROBES; p++)
+        here[p] = bl_signal_value(signal, probes[p]);
+    for (size_t from = 0, now; from < count; from += now) {
+        double column[BL_AXES][PROBES * EACH];
+        float value[PROBES * EACH];
+        now = count - from < EACH ? count - from : EACH;
+        for (size_t i = 0; i < PROBES * now; i++) {
+            double image[BL_AXES];
+            bl_score_image(&maps[from + i / PROBES], probes[i % PROBES], image);
+            for (int a = 0; a < BL_AXES; a++)
+                column[a][i] = image[a];
+        }
+        bl_signal_points(signal,
+                         (const double *const[]){column[0], column[1], column[2], column[3]},
+                         PROBES * now, value);
+        for (size_t i = 0; i < now; i++) {
+            double first = (double)value[PROBES * i], second = (double)value[PROBES * i + 1];
+            is_likely[from + i] =
+                (fabs(first - here[0]) <= near && fabs(second - here[1]) <= near) ||
+                fabs(first + here[0] - second - here[1]) <= near;
+        }
+    }
 }

@@ -4,10 +4,12 @@
 // shift, a mirror, an exchange of axes.
 //
 // Places are multiples of 2^-8 cells within 16 cells of 0, so that a whole number of cells is added
-// exactly. The values are the same where the double reference gives them to 10^-6 of the range, at
-// BL_SAME_PLACES places or more, at six of which it differs from the first; what the value changes by within
-// two roundings of the image is let pass, so that a period that no double has is found at the
-// nearest one. There is no chance in it: the places are many, and other values agree at none.
+// exactly; far shifts are also tried at eighths, quarters, halves and whole cells, for functions of
+// float coordinates have no others there. The values are the same where the double reference gives
+// them to 10^-6 of the range, at BL_SAME_PLACES places or more, at six of which it differs from the
+// first; what the value changes by within two roundings of the image is let pass, so that a period
+// that no double has is found at the nearest one. There is no chance in it: the places are many, and
+// other values agree at none.
 #ifndef BL_SCORE_PROPERTIES_SAMENESS_H
 #define BL_SCORE_PROPERTIES_SAMENESS_H
 
@@ -33,8 +35,14 @@ typedef enum bl_score_likeness {
 
 void bl_score_image(const bl_score_map *map, const double at[BL_AXES], double image[BL_AXES]);
 
-// A place of which every part is exact, near 0.
+// A place near 0, a multiple of 2^-8 cells.
 void bl_score_exact_place(const bl_score_look *look, bl_random *random, double at[BL_AXES]);
+
+// Which maps leave the values at two places as they are, or turn them over, in floats, for all maps
+// at once. The values at the places are far from the commonest one, so that sparse noises tell much
+// at each. What is not likely is no map of the signal.
+void bl_score_likely(const bl_signal *signal, const bl_score_look *look, const bl_score_map *maps,
+                     size_t count, bl_random *random, unsigned char *is_likely);
 
 // Compares the values at `places` places or more, from `random`, with those at their images.
 // BL_UNLIKE too where the signal hardly ever differs from its first value.

@@ -9,19 +9,15 @@
 // cell. The values may come back as they were or turned over, so that their sum is one number
 // everywhere. What is found first is named; it is the simplest.
 //
-// Each map is compared at two places in floats, for all maps at once; what passes is compared in
-// double as sameness.h says, at 2048 places. Both places have values that are far from the commonest one, so that
-// sparse noises tell much at each. There is no chance in it, and nothing that a signal could state:
-// the verdict is against the ideal.
+// What passes a look at all maps is compared in double, at 2048 places (sameness.h). There is no
+// chance in it, and nothing that a signal could state: the verdict is against the ideal.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "score/properties/sameness.h"
 
-enum { TRIED = 256, PROBES = 2 };
 enum { VERIFIED = 2048 }; // places: a function that varies in a hundredth of the range is seen to
-#define FLOATS 1e-4       // of the range: floats of correct rows and points differ by less
 
 // A list of maps that grows; `failed` where memory ends.
 typedef struct maps {
@@ -102,66 +98,6 @@ static void add_all(maps *all, const bl_score_look *look, int reach) {
                         add_exchange(all, a, b, way, sign * k * look->cell);
     add_signed_exchanges(all, dimensions, 0);
     add_signed_exchanges(all, dimensions, 0.5 * look->cell);
-}
-
-// --- the look at all maps -----------------------------------------------------------------------
-
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-// Two places, among many, whose values are far from the middle one and from each other.
-static void choose_probes(const bl_signal *signal, const bl_score_look *look, bl_random *random,
-                          double probes[PROBES][BL_AXES]) {
-    double at[TRIED][BL_AXES], value[TRIED], sorted[TRIED];
-    size_t best[PROBES] = {0};
-    for (size_t i = 0; i < TRIED; i++) {
-        bl_score_exact_place(look, random, at[i]);
-        sorted[i] = value[i] = bl_signal_value(signal, at[i]);
-    }
-    qsort(sorted, TRIED, sizeof *sorted, ascending);
-    double middle = sorted[TRIED / 2];
-    for (size_t i = 1; i < TRIED; i++)
-        if (fabs(value[i] - middle) > fabs(value[best[0]] - middle))
-            best[0] = i;
-    for (size_t i = 1; i < TRIED; i++)
-        if (fabs(value[i] - value[best[0]]) * fabs(value[i] - middle) >
-            fabs(value[best[1]] - value[best[0]]) * fabs(value[best[1]] - middle))
-            best[1] = i;
-    for (size_t p = 0; p < PROBES; p++)
-        for (int a = 0; a < BL_AXES; a++)
-            probes[p][a] = at[best[p]][a];
-}
-
-// Which maps leave the values at the probes as they are, or turn them over, in floats.
-static void look_at_probes(const bl_signal *signal, const bl_score_look *look, const maps *all,
-                           double probes[PROBES][BL_AXES], unsigned char *is_likely) {
-    enum { EACH = 512 };
-    double near = FLOATS * look->range, here[PROBES];
-    for (int p = 0; p < PROBES; p++)
-        here[p] = bl_signal_value(signal, probes[p]);
-    for (size_t from = 0; from < all->count; from += EACH) {
-        size_t count = all->count - from < EACH ? all->count - from : EACH;
-        double column[BL_AXES][PROBES * EACH];
-        float value[PROBES * EACH];
-        for (size_t i = 0; i < count; i++)
-            for (size_t p = 0; p < PROBES; p++) {
-                double image[BL_AXES];
-                bl_score_image(&all->list[from + i], probes[p], image);
-                for (int a = 0; a < BL_AXES; a++)
-                    column[a][PROBES * i + p] = image[a];
-            }
-        bl_signal_points(signal,
-                         (const double *const[]){column[0], column[1], column[2], column[3]},
-                         PROBES * count, value);
-        for (size_t i = 0; i < count; i++) {
-            double first = (double)value[PROBES * i], second = (double)value[PROBES * i + 1];
-            is_likely[from + i] =
-                (fabs(first - here[0]) <= near && fabs(second - here[1]) <= near) ||
-                fabs(first + here[0] - second - here[1]) <= near;
-        }
-    }
 }
 
 // --- the verdict --------------------------------------------------------------------------------
@@ -257,7 +193,6 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     const bl_signal *signal = subject->signal;
     bl_score_look look;
     maps all = {NULL, 0, 0, 0};
-    double probes[PROBES][BL_AXES];
     if (!bl_score_look_at(subject, settings, result, &look))
         return BL_OK;
     bl_random random = bl_score_random(settings, "symmetry", 0);
@@ -277,8 +212,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     unsigned char *is_likely = all.failed ? NULL : calloc(all.count, sizeof *is_likely);
     bl_status status = BL_OK;
     if (is_likely) {
-        choose_probes(signal, &look, &random, probes);
-        look_at_probes(signal, &look, &all, probes, is_likely);
+        bl_score_likely(signal, &look, all.list, all.count, &random, is_likely);
         bl_score_add_exact(result, "maps", (double)all.count);
         find_map(signal, &look, &all, is_likely, bl_score_random(settings, "symmetry", 1), result);
     } else {
