@@ -58,7 +58,6 @@ static bl_status build(void *block, bl_opener *open, bl_message *message) {
     return bl_octaves_build(&p->sum, &plan, &rules, open, message);
 }
 
-static const char *const seedings[] = {"fresh", "same", NULL};
 static const char *const draws[] = {"none", "random", NULL};
 static const char *const lacunarities[] = {"2.17", "1.5", NULL};
 
@@ -67,8 +66,7 @@ static const bl_parameter parameters[] = {
     BL_OCTAVES_COUNT_PARAMETERS(fbm_parameters, lacunarities),
     {"gain", BL_REAL, offsetof(fbm_parameters, gain), "1/2", "", .minimum = 0, .maximum = 1,
      .help = "the ratio of the amplitudes of neighbouring octaves"},
-    {"seeds", BL_CHOICE, offsetof(fbm_parameters, seeds), "fresh", "", .choices = seedings,
-     .help = "a seed of its own for each octave, or the same for all"},
+    BL_OCTAVES_SEEDS_PARAMETER(fbm_parameters, "fresh"),
     {"shift", BL_CHOICE, offsetof(fbm_parameters, shift), "none", "", .choices = draws,
      .help = "whether octaves are moved to random places"},
     {"rotate", BL_CHOICE, offsetof(fbm_parameters, rotate), "none", "", .choices = draws,

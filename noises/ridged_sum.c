@@ -40,14 +40,16 @@
 typedef struct ridged_parameters {
     bl_octaves_settings sum;
     double lacunarity, gain, offset;
-    uint32_t octaves;
+    uint32_t octaves, seeds;
 } ridged_parameters;
 
 static bl_status build(void *block, bl_opener *open, bl_message *message) {
     ridged_parameters *p = block;
     bl_octaves_plan plan = bl_octaves_plan_count(p->octaves, p->lacunarity, 1 / p->lacunarity);
-    const bl_octaves_rules rules = {
-        .fold = BL_FOLD_RIDGE, .ridge_offset = p->offset, .ridge_gain = p->gain};
+    const bl_octaves_rules rules = {.fold = BL_FOLD_RIDGE,
+                                    .ridge_offset = p->offset,
+                                    .ridge_gain = p->gain,
+                                    .fresh = p->seeds == 0};
     return bl_octaves_build(&p->sum, &plan, &rules, open, message);
 }
 
@@ -56,6 +58,7 @@ static const char *const lacunarities[] = {"2.17", NULL};
 static const bl_parameter parameters[] = {
     BL_OCTAVES_PARAMETERS(ridged_parameters, sum),
     BL_OCTAVES_COUNT_PARAMETERS(ridged_parameters, lacunarities),
+    BL_OCTAVES_SEEDS_PARAMETER(ridged_parameters, "same"),
     {"gain", BL_REAL, offsetof(ridged_parameters, gain), "2", "", .minimum = 0, .maximum = 4,
      .help = "of an octave as the weight of the next"},
     {"offset", BL_REAL, offsetof(ridged_parameters, offset), "1", "", .minimum = 0.5, .maximum = 2,

@@ -31,13 +31,14 @@
 typedef struct turbulence_parameters {
     bl_octaves_settings sum;
     double least, most;
-    uint32_t lost;
+    uint32_t lost, seeds;
 } turbulence_parameters;
 
 static bl_status build(void *block, bl_opener *open, bl_message *message) {
     turbulence_parameters *p = block;
     bl_octaves_plan plan = bl_octaves_plan_between(p->least, p->most);
-    const bl_octaves_rules rules = {.fold = BL_FOLD_SIZE, .lost_to_zero = (int)p->lost};
+    const bl_octaves_rules rules = {
+        .fold = BL_FOLD_SIZE, .lost_to_zero = (int)p->lost, .fresh = p->seeds == 0};
     return bl_octaves_build(&p->sum, &plan, &rules, open, message);
 }
 
@@ -46,6 +47,7 @@ static const char *const losses[] = {"mean", "zero", NULL};
 static const bl_parameter parameters[] = {
     BL_OCTAVES_PARAMETERS(turbulence_parameters, sum),
     BL_OCTAVES_SPAN_PARAMETERS(turbulence_parameters),
+    BL_OCTAVES_SEEDS_PARAMETER(turbulence_parameters, "same"),
     {"lost", BL_CHOICE, offsetof(turbulence_parameters, lost), "mean", "", .choices = losses,
      .help = "what a removed octave leaves: its mean, or zero as in the text"},
     {0}};

@@ -158,6 +158,7 @@ static inline void bl_octave_place(const bl_octave *octave, unsigned dimensions,
 // --- parameters ---------------------------------------------------------------------------------
 
 extern const char *const bl_octave_basis_examples[];
+extern const char *const bl_octave_seedings[]; // "fresh", "same", ended by NULL
 
 // clang-format off
 // bl_octaves_settings `field`, the first member of the block: seed, basis, width and clamp.
@@ -170,6 +171,12 @@ extern const char *const bl_octave_basis_examples[];
      .help = "between samples: octaves beyond 1/(2 width) are removed; 0 keeps all"},              \
     {"clamp", BL_CHOICE, offsetof(block, field.clamp), "fade", "", .choices = bl_octave_clamps,    \
      .help = "how octaves beyond the Nyquist limit of the width are removed"}
+
+// uint32_t seeds, 0 for fresh: `default` is one of the words of bl_octave_seedings.
+#define BL_OCTAVES_SEEDS_PARAMETER(block, default)                                                 \
+    {"seeds", BL_CHOICE, offsetof(block, seeds), default, "", .choices = bl_octave_seedings,       \
+     .help = "a seed of its own for each octave, or the same for all, whose octaves meet at the "  \
+             "origin: the sum there is the basis times the sum of the amplitudes"}
 
 // double least, most: the octaves f = min, 2 min, ... below max; two entries of a list.
 #define BL_OCTAVES_SPAN_PARAMETERS(block)                                                          \

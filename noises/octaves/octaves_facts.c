@@ -194,7 +194,9 @@ static void describe_moments(const bl_octaves *octaves, bl_facts *facts) {
         square += weight_of(octaves, i) * weight_of(octaves, i);
     if (are_uncorrelated(octaves))
         facts->variance = square * basis->variance;
-    facts->stationary = basis->stationary;
+    // Octaves of one seed meet at the origin, where their sum varies more.
+    int meet = !octaves->rules.fresh && !octaves->rules.shift && octaves->plan.evaluated > 1;
+    facts->stationary = basis->stationary && !meet;
     facts->isotropic = basis->isotropic;
 }
 

@@ -5,6 +5,8 @@
 
 #include "noises/octaves/octaves.h"
 
+const char *const bl_octave_seedings[] = {"fresh", "same", NULL};
+
 const char *const bl_octave_basis_examples[] = {"vnoise,basis.interp=linear",
                                                 "gnoise,basis.lattice=perm256", "scnoise", NULL};
 

@@ -11,6 +11,7 @@
 //            the cell, k = 1, 2: what the corners do not see, as a wave that is 0 at all of them
 //   regions  (of a signal with a seed) four blocks of 8 cells a side, near 0, near 1000, near -1000
 //            and near 10^5, against their average: what happens once, and not in every cell
+//   standing the origin, and waves of the variance from cell to cell (standing.h)
 //
 // and each of these numbers, which is 0 over seeds if the signal is stationary, is tested by
 // Student's t over the batches; all tests of a signal share alpha. A function of the registries
@@ -23,6 +24,7 @@
 #include <string.h>
 
 #include "core/grid.h"
+#include "score/properties/standing.h"
 
 enum {
     CORNERS = 1 << BL_AXES,
@@ -240,11 +242,14 @@ static void describe(const survey *s, unsigned kind, int square, char *text, siz
         snprintf(text, size, "the %s in region %u", moment, kind - s->first_region);
 }
 
-static void judge(const survey *s, const batch *b, size_t count, const bl_score_settings *settings,
-                  double *room, bl_score_property *result) {
+static void judge(const survey *s, const batch *b, size_t count, const bl_standing *standing,
+                  const bl_score_settings *settings, double *room, bl_score_property *result) {
     bl_score_against against =
         s->signal->facts.stationary == 1 ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL;
-    double limit = bl_score_t_limit(settings->alpha, 2.0 * s->kinds, count), largest = 0;
+    // Half of alpha each for what stands still and for what does not: they are many more.
+    double limit = bl_score_t_limit(0.5 * settings->alpha, 2.0 * s->kinds, count), largest = 0;
+    double standing_limit = bl_score_t_limit(0.5 * settings->alpha, standing->tests, count);
+    int stands;
     unsigned worst = 0;
     char what[96];
     for (unsigned test = 0; test < 2 * s->kinds; test++) {
@@ -256,11 +261,22 @@ static void judge(const survey *s, const batch *b, size_t count, const bl_score_
         if (fabs(t) > fabs(largest))
             largest = t, worst = test;
     }
+    if (isnan(standing->t)) {
+        bl_score_not_finite(result);
+        return;
+    }
+    stands = standing->tests > 0 && !(fabs(largest) > limit) &&
+             fabs(standing->t) / standing_limit > fabs(largest) / limit;
     double ratio = add_variances(s, b, count, settings->level, room, result);
     bl_score_add_seen(result, "largest_deviate", largest);
     bl_score_add_seen(result, "limit_deviate", limit);
     snprintf(result->cell, sizeof result->cell, "%.2g dB", ratio);
     describe(s, worst / 2, worst % 2, what, sizeof what);
+    if (stands) {
+        largest = standing->t;
+        limit = standing_limit;
+        snprintf(what, sizeof what, "%s", standing->what);
+    }
     if (isinf(largest)) // a seed that changes nothing, and cells that are all alike
         bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "%s is the same number in every batch, %s that of all places", what,
@@ -291,16 +307,21 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     }
     size_t count = (size_t)bl_size_pick(settings->size, 384, 1536, 16384);
     survey s = survey_of(subject->signal, &look);
+    bl_standing standing = {0};
+    bl_status status = BL_OK;
+    if (s.regions)
+        status = bl_standing_measure(subject->signal, &look, settings, count, &standing, message);
     batch *batches = malloc(count * sizeof *batches);
     double *room = malloc(2 * count * sizeof *room);
-    if (batches && room) {
+    if (batches && room && status == BL_OK) {
 #pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic, 8)
         for (size_t i = 0; i < count; i++)
             take(&s, bl_score_random(settings, "stationarity", i), &batches[i]);
         centre(&s, batches, count);
-        judge(&s, batches, count, settings, room, result);
+        judge(&s, batches, count, &standing, settings, room, result);
     }
-    bl_status status = batches && room ? BL_OK : bl_score_no_memory(result, message);
+    if (!batches || !room || status != BL_OK)
+        status = bl_score_no_memory(result, message);
     free(batches);
     free(room);
     return status;
