@@ -275,8 +275,8 @@ static void judge(const bl_signal *signal, const summary *s, const bl_score_look
                        found_class < 0 ? "its value jumps" : "no jump was found");
     else
         bl_score_judge(result, BL_VERDICT_PASS, against,
-                       "no jump up to derivative %d at %zu places",
-                       wanted < ORDERS ? wanted : ORDERS - 1, s->places);
+                       "no jump up to derivative %d at %zu places", is_blind ? 0 : found_class,
+                       s->places);
 }
 
 static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,

@@ -242,7 +242,12 @@ static void judge(const bl_signal *signal, const batch *b, size_t count, const d
     const bl_score_number *share = bl_score_find(result, "tail_share_db");
     double cross_db = cross ? cross->estimate.value : 0;
     int is_tail_judged = share && share->estimate.value >= 10 * log10(TAIL_LEAST);
-    snprintf(result->cell, sizeof result->cell, "%+.2f dB", is_tail_judged ? cross_db : ratio);
+    snprintf(result->cell, sizeof result->cell, is_tail_judged ? "%+.2f dB" : "lags %+.2f dB",
+             is_tail_judged ? cross_db : ratio);
+    char tail_text[80] = "";
+    if (is_tail_judged)
+        snprintf(tail_text, sizeof tail_text, "; power near them, above 1 cycle a cell: %+.2f dB",
+                 cross_db);
     if (fabs(largest) > limit && is_tail)
         bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "above 1 cycle a cell, the power near the axes is %+.2f dB of that near the "
@@ -251,18 +256,18 @@ static void judge(const bl_signal *signal, const batch *b, size_t count, const d
     else if (fabs(largest) > limit)
         bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "at the lag of %g cells, differences %s deviate by %.1f standard errors; "
-                       "axes to diagonals: %+.2f dB",
+                       "differences along axes over those along diagonals: %+.2f dB%s",
                        worst_lag,
                        worst < quadratic    ? "along an axis or a diagonal (a stretch)"
                        : worst == quadratic ? "along the axes against the diagonals"
                                             : "in one direction",
-                       largest, ratio);
+                       largest, ratio, tail_text);
     else
         bl_score_judge(
             result, BL_VERDICT_PASS, against,
             "differences are of one size in %u directions at four lags, as far as %zu "
-            "batches can tell; axes to diagonals: %+.2f dB, above 1 cycle a cell %+.2f dB",
-            d->count, count, ratio, cross_db);
+            "batches can tell; differences along axes over those along diagonals: %+.2f dB%s",
+            d->count, count, ratio, tail_text);
 }
 
 static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
@@ -311,7 +316,9 @@ BL_PROPERTY_DESCRIPTOR(isotropy) = {
     .name = "isotropy",
     .title = "isotropy",
     .paper = "peachey2003, p. 68",
-    .entry = "power near the axes over that near the diagonals, above 1 cycle a cell",
+    .entry =
+        "power near the axes over that near the diagonals, above 1 cycle a cell (of lags: "
+        "differences along them); of a picture: along what it is stretched",
     .question = "Does the spectrum have no direction?",
     .measure = measure,
 };

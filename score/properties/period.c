@@ -304,7 +304,9 @@ static void judge(const axis_result *r, unsigned axes, double cell, const double
     bl_score_add_seen(result, "strongest_line_frequency",
                       line_axis < 0 ? NAN : line.frequency / cell);
     bl_score_add_seen(result, "line_to_limit_db", line_axis < 0 ? NAN : 10 * log10(line.excess));
-    if (isinf(smallest))
+    if (isinf(smallest) && line.excess > 1)
+        snprintf(result->cell, sizeof result->cell, "line %.3g", line.frequency / cell);
+    else if (isinf(smallest))
         snprintf(result->cell, sizeof result->cell, "none");
     else
         snprintf(result->cell, sizeof result->cell, "%.10g", smallest);
@@ -366,7 +368,7 @@ BL_PROPERTY_DESCRIPTOR(period) = {
     .name = "period",
     .title = "period",
     .paper = "peachey2003, p. 68",
-    .entry = "the shortest repeat, in units",
+    .entry = "the shortest repeat, in units; or a spectral line, in cycles a unit",
     .question = "Does the noise repeat, or hide lines of its lattice in the spectrum?",
     .measure = measure,
 };

@@ -270,7 +270,13 @@ static void judge(const survey *s, const batch *b, size_t count, const bl_standi
     double ratio = add_variances(s, b, count, settings->level, room, result);
     bl_score_add_seen(result, "largest_deviate", largest);
     bl_score_add_seen(result, "limit_deviate", limit);
-    snprintf(result->cell, sizeof result->cell, "%.2g dB", ratio);
+    const char *where = worst / 2 < s->first_wave     ? ""
+                        : worst / 2 < s->first_region ? ", wave"
+                                                      : ", region";
+    if (fabs(largest) > limit && (*where || worst % 2 == 0)) // not what the ratio is of
+        snprintf(result->cell, sizeof result->cell, "%s%s", worst % 2 ? "variance" : "mean", where);
+    else
+        snprintf(result->cell, sizeof result->cell, "%.2g dB", ratio);
     describe(s, worst / 2, worst % 2, what, sizeof what);
     if (stands) {
         largest = standing->t;
@@ -331,7 +337,9 @@ BL_PROPERTY_DESCRIPTOR(stationarity) = {
     .name = "stationarity",
     .title = "stationarity",
     .paper = "peachey2003, p. 68",
-    .entry = "the largest variance at a place of the cell over the smallest",
+    .entry =
+        "the largest variance at a place of the cell over the smallest; or what else is not "
+        "the same: the mean, or either along a wave of the cell or by region",
     .question = "Are mean and variance the same everywhere in the cell?",
     .measure = measure,
 };
