@@ -317,8 +317,8 @@ BL_PROPERTY_DESCRIPTOR(isotropy) = {
     .title = "isotropy",
     .paper = "peachey2003, p. 68",
     .entry =
-        "power near the axes over that near the diagonals, above 1 cycle a cell (of lags: "
-        "differences along them); of a picture: along what it is stretched",
+        "power near axes over that near diagonals, above 1 cycle a cell; of a picture, its "
+        "direction",
     .question = "Does the spectrum have no direction?",
     .measure = measure,
 };

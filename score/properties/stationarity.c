@@ -337,9 +337,7 @@ BL_PROPERTY_DESCRIPTOR(stationarity) = {
     .name = "stationarity",
     .title = "stationarity",
     .paper = "peachey2003, p. 68",
-    .entry =
-        "the largest variance at a place of the cell over the smallest; or what else is not "
-        "the same: the mean, or either along a wave of the cell or by region",
+    .entry = "the largest variance at a place of the cell over the smallest; or what else differs",
     .question = "Are mean and variance the same everywhere in the cell?",
     .measure = measure,
 };
