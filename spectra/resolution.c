@@ -186,7 +186,7 @@ bl_resolution bl_resolution_measure(const bl_signal *signal, const bl_region *re
     look.origin = isfinite(origin) ? origin : 0;
     double afforded = chunks_afforded(signal, settings);
     look.chunks = settings->is_brief ? FEW : CHUNKS;
-    if (look.chunks > afforded)
+    if ((double)look.chunks > afforded)
         look.chunks = (size_t)afforded; // at least 1
     if (!settings->is_brief && find(&look, 1, 1).kurtosis > RARE)
         look.chunks = (size_t)fmin(MANY, 4 * afforded);

@@ -103,8 +103,8 @@ static void test_figures_and_render_draw_the_same_picture(void **state) {
         same += fabsf(star.values[i] - figure.values[i]) > 0.4f;
         flipped += fabsf(star.values[other] - figure.values[i]) > 0.4f;
     }
-    assert_less(same, 0.005 * (double)count); // edges
-    assert_less(0.02 * (double)count, flipped);
+    assert_less((double)same, 0.005 * (double)count); // edges
+    assert_less(0.02 * (double)count, (double)flipped);
     free(figure.values);
     free(star.values);
     // A picture that was written and looked up is the picture; a checkerboard on its head is not.
