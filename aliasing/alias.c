@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "aliasing/depth.h"
 #include "aliasing/energy.h"
 #include "aliasing/flicker.h"
 #include "aliasing/metrics.h"
@@ -69,12 +70,18 @@ static bl_status out_of_memory(bl_message *message) {
 
 // --- alias and blur -----------------------------------------------------------------------------
 
-// The scene with a signal of another seed, where there is one; what is made is to be freed.
-static bl_scene reseeded(const bl_scene *scene, uint64_t replicate, bl_signal **made) {
+// The scene of a replicate: with a signal of another seed, where there is one, and at another depth.
+// What is made is to be freed; the scene looks through `view`.
+static bl_scene reseeded(const bl_scene *scene, uint64_t replicate, bl_view *view,
+                         bl_signal **made) {
     bl_scene fresh = *scene;
     uint64_t seed = bl_stream(scene->seed, replicate);
     *made = replicate ? bl_signal_reseed(scene->signal, seed) : NULL;
+    *view = *scene->view;
+    if (replicate)
+        bl_depth_draw(scene->signal, seed, view);
     fresh.seed = seed;
+    fresh.view = view;
     if (*made)
         fresh.signal = *made;
     return fresh;
@@ -119,8 +126,9 @@ static bl_status take_spectra(const measurement *m, const grids *at, bl_image_va
 static bl_status add_energies(measurement *m, size_t method, size_t replicate, const grids *at,
                               const bl_image_spectrum truth[GRIDS], bl_message *message) {
     bl_signal *made;
+    bl_view view;
     bl_image_spectrum sampled[GRIDS];
-    bl_scene scene = reseeded(&m->scenes[method], replicate, &made);
+    bl_scene scene = reseeded(&m->scenes[method], replicate, &view, &made);
     bl_scene_method image = m->images[method];
     image.scene = &scene;
     bl_status status = take_spectra(m, at, bl_scene_luminances, &image, sampled, message);
@@ -139,8 +147,9 @@ static bl_status add_energies(measurement *m, size_t method, size_t replicate, c
 static bl_status run_replicate(measurement *m, size_t replicate, bl_message *message) {
     const grids at = draw_grids(m, replicate);
     bl_signal *made;
+    bl_view view;
     bl_image_spectrum truth[GRIDS];
-    bl_scene scene = reseeded(&m->scene, replicate, &made);
+    bl_scene scene = reseeded(&m->scene, replicate, &view, &made);
     bl_status status = take_spectra(m, &at, bl_scene_raw_luminances, &scene, truth, message);
     if (status == BL_OK) {
         for (size_t i = 0; i < m->count && status == BL_OK; i++)
@@ -160,6 +169,14 @@ static bl_estimate energy_estimate(const double *values, size_t count, double le
     return estimate;
 }
 
+// A prediction is of all depths; one that was asked for is another thing.
+static int is_asked(const measurement *m) {
+    for (unsigned a = 2; a < m->signal->dimensions; a++)
+        if (m->view->asked[a] && bl_depth_is_flat(m->signal, m->view, a))
+            return 1;
+    return 0;
+}
+
 static bl_status measure_energies(measurement *m, bl_alias_row *rows, bl_message *message) {
     const size_t replicates = m->settings->replicates;
     bl_status status = BL_OK;
@@ -171,10 +188,10 @@ static bl_status measure_energies(measurement *m, bl_alias_row *rows, bl_message
         rows[i].alias = energy_estimate(m->alias[i], replicates, m->settings->level);
         rows[i].blur = energy_estimate(m->blur[i], replicates, m->settings->level);
         rows[i].first_alias = m->first[i][0];
-        status = bl_predict_energies(m->signal, m->view, &m->methods[i], m->settings->oversample,
-                                     &prediction, &known, message);
-        rows[i].predicted_alias = prediction.alias;
-        rows[i].predicted_blur = prediction.blur;
+        status = bl_predict_energies(m->signal, m->view, &m->methods[i],
+                                     2 * m->settings->oversample, &prediction, &known, message);
+        rows[i].predicted_alias = is_asked(m) ? NAN : prediction.alias;
+        rows[i].predicted_blur = is_asked(m) ? NAN : prediction.blur;
     }
     return status;
 }
@@ -335,6 +352,8 @@ static bl_status open_methods(measurement *m, const char *const *texts, bl_alias
             status = out_of_memory(message);
     }
     memcpy(result->mean, m->scene.mean, sizeof result->mean);
+    if (status == BL_OK)
+        result->sameness = bl_sameness_find(&m->scene);
     return status;
 }
 
@@ -375,11 +394,25 @@ static bl_status check_settings(const bl_alias_settings *settings, size_t count,
     return BL_OK;
 }
 
+static void note_depth(const bl_signal *signal, const bl_view *view, bl_alias_result *result) {
+    bl_sight sight = {0};
+    double x = 0.5 * (double)view->width, y = 0.5 * (double)view->height;
+    int seen = bl_view_see(view, x, y, &sight);
+    for (unsigned a = 0; a < BL_AXES; a++) {
+        int flat = bl_depth_is_flat(signal, view, a);
+        result->depth[a] = !flat ? NAN : seen ? sight.at[a] : view->depth[a];
+        result->random_depth |= flat && !view->asked[a];
+    }
+}
+
 bl_status bl_alias_measure(const bl_signal *signal, const bl_view *view, const char *const *methods,
                            size_t count, const bl_alias_settings *settings, bl_alias_result *result,
                            bl_message *message) {
-    measurement m = {.signal = signal, .view = view, .settings = settings, .count = count};
+    bl_view own = *view;
+    measurement m = {.signal = signal, .view = &own, .settings = settings, .count = count};
     *result = (bl_alias_result){0};
+    bl_depth_draw(signal, settings->seed, &own);
+    note_depth(signal, &own, result);
     bl_status status = check_settings(settings, count, message);
     if (status != BL_OK)
         return status;
@@ -408,6 +441,10 @@ void bl_alias_free(bl_alias_result *result) {
     free(result->rows);
     bl_reference_free(&result->reference);
     *result = (bl_alias_result){0};
+}
+
+int bl_alias_is_constant(const bl_alias_result *result) {
+    return result->sameness.constant;
 }
 
 int bl_alias_is_converged(const bl_alias_result *result) {

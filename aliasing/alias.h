@@ -23,6 +23,7 @@
 
 #include "aliasing/method.h"
 #include "aliasing/reference.h"
+#include "aliasing/sameness.h"
 #include "core/size.h"
 #include "core/statistics.h"
 
@@ -67,6 +68,9 @@ typedef struct bl_alias_result {
     bl_reference reference; // the converged image
     double reference_error; // its rms error: twice the standard error
     double ring_width;      // of the spectrum of the error, cycles per pixel
+    double depth[BL_AXES];  // of a solid signal, where the image is flat; NAN along other axes
+    int random_depth;       // no view asked for it; every further replicate has its own
+    bl_sameness sameness;   // is there anything to judge? Of the image at its own depth
     double seen;            // share of the pixels that see the signal
     double mean[3];         // colour of the signal, which stands where the view sees nothing
 } bl_alias_result;
@@ -78,6 +82,9 @@ bl_status bl_alias_measure(const bl_signal *signal, const bl_view *view, const c
                            size_t count, const bl_alias_settings *settings, bl_alias_result *result,
                            bl_message *message);
 void bl_alias_free(bl_alias_result *result);
+
+// Whether the signal has one value all over the image, so that no method is judged there.
+int bl_alias_is_constant(const bl_alias_result *result);
 
 // Whether the reference is good to a tenth of the smallest error that was measured with it.
 int bl_alias_is_converged(const bl_alias_result *result);

@@ -11,8 +11,8 @@ typedef struct bl_prediction {
     double alias, blur;
 } bl_prediction;
 
-// What bl_image_energies is expected to find, over seeds and places, through its own window and
-// with `oversample` samples a pixel: the closed-form spectrum of the samples, weighted with the
+// What bl_image_energies is expected to find, over seeds, places and depths, through its own window,
+// as far as `oversample` samples a pixel show it: the closed-form spectrum of the samples, weighted with the
 // method's response. The power beyond half the rate of the samples is taken with the response of
 // the frequency that it folds to. `known` is 0, and the numbers NaN, without a closed form, a
 // response, a straight view whose axes stand upright on each other and are equally long, and a

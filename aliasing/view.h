@@ -57,11 +57,13 @@ BL_REGISTRY(bl_view_kind, bl_view, bl_views)
 
 typedef struct bl_view {
     const bl_view_kind *kind;
-    void *parameters;     // owned
-    char *text;           // canonical, owned
-    size_t width, height; // of the image, pixels
-    double zoom;          // of the image about its middle, for moving pictures; 1 when opened
-    double pan[2];        // of the image, pixels to the right and down; 0 when opened
+    void *parameters;      // owned
+    char *text;            // canonical, owned
+    size_t width, height;  // of the image, pixels
+    double zoom;           // of the image about its middle, for moving pictures; 1 when opened
+    double pan[2];         // of the image, pixels to the right and down; 0 when opened
+    double depth[BL_AXES]; // added to the coordinates (aliasing/depth.h); 0 when opened
+    int asked[BL_AXES];    // the text asks for the place along this axis: by the keys z and w
 } bl_view;
 
 // Opens a view by its text, for images of this size; the caller ends with bl_view_close. Errors:

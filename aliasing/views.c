@@ -49,6 +49,8 @@ bl_status bl_view_open(const char *text, size_t width, size_t height, bl_view *v
     const bl_view_kind *kind = bl_view_find(spec.name);
     status = kind ? open_kind(kind, &spec, text, view, message)
                   : bl_registry_report(&bl_views, spec.name, " at column 1", message);
+    view->asked[2] = bl_spec_get(&spec, "z") != NULL;
+    view->asked[3] = bl_spec_get(&spec, "w") != NULL;
     bl_spec_free(&spec);
     return status;
 }

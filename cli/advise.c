@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "aliasing/usual_methods.h"
+#include "cli/alias_files.h"
 #include "cli/json.h"
 #include "core/plain.h"
 #include "cli/verb.h"
@@ -161,6 +162,10 @@ static void print_fault(FILE *out, const bl_advice *advice, size_t row, double t
 static void print_choice(FILE *out, const bl_advice *advice, double tolerance,
                          const char *measure) {
     const bl_alias_row *chosen = &advice->alias.rows[advice->chosen];
+    if (bl_alias_is_constant(&advice->alias)) {
+        fputs("no advice: the image is constant, and every method is right there\n", out);
+        return;
+    }
     if (advice->verdict == BL_VERDICT_PASS)
         fprintf(out, "use %s: %s error %.3g (%.3g to %.3g), %.4g ns a pixel (%.4g to %.4g)\n",
                 chosen->method, measure, advice->error[advice->chosen].value,
@@ -227,6 +232,7 @@ static bl_status advise(bl_call *call, const bl_signal *signal, const bl_view *v
     bl_progress(call, NULL);
     if (status != BL_OK)
         return status;
+    bl_alias_warn(call, signal, view, &advice.alias.sameness);
     if (bl_json_start(call))
         fill_json(call->json, signal, view, &settings, &advice);
     else if (!call->common.quiet)
@@ -238,6 +244,7 @@ static bl_status advise(bl_call *call, const bl_signal *signal, const bl_view *v
 }
 
 static bl_status run_advise(bl_call *call) {
+    bl_call_may_warn(call);
     const advise_options *options = call->settings;
     size_t size = options->size ? options->size : call->size == BL_QUICK ? 48 : 128;
     double tolerance;

@@ -3,6 +3,7 @@
 // The verb `alias`: what each method of sampling makes of a signal under a view.
 #include "aliasing/alias.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "cli/alias_files.h"
@@ -89,6 +90,11 @@ static const bl_field setting_fields[] = {
     {0}};
 
 static const bl_field result_fields[] = {
+    {"depth_z_units", NULL, BL_CELL_REAL, AT(bl_alias_result, depth[2])},
+    {"depth_w_units", NULL, BL_CELL_REAL, AT(bl_alias_result, depth[3])},
+    {"depth_is_random", NULL, BL_CELL_FLAG, AT(bl_alias_result, random_depth)},
+    {"constant", NULL, BL_CELL_FLAG, AT(bl_alias_result, sameness.constant)},
+    {"varying_share", NULL, BL_CELL_REAL, AT(bl_alias_result, sameness.varies)},
     {"seen", NULL, BL_CELL_REAL, AT(bl_alias_result, seen)},
     {"reference_rms_error", NULL, BL_CELL_REAL, AT(bl_alias_result, reference_error)},
     {"reference_samples_per_pixel", NULL, BL_CELL_REAL, AT(bl_alias_result, reference.samples)},
@@ -129,6 +135,17 @@ static void print_reference(FILE *out, const bl_alias_result *result) {
         out);
 }
 
+static void print_depth(FILE *out, const bl_alias_result *result) {
+    for (int a = 2; a < BL_AXES; a++)
+        if (isfinite(result->depth[a]))
+            fprintf(out, "the slice at %c = %.10g\n", "xyzw"[a], result -> depth[a]);
+    if (result->random_depth)
+        fputs(
+            "(a random depth; ask the view for another by its keys z and w. Alias and blur are "
+            "averages over depths)\n",
+            out);
+}
+
 static void print_table(FILE *out, const bl_signal *signal, const bl_view *view,
                         const bl_alias_settings *settings, const bl_alias_result *result) {
     const bl_table rows = bl_alias_table(result);
@@ -137,6 +154,7 @@ static void print_table(FILE *out, const bl_signal *signal, const bl_view *view,
     bl_plain_text(out, view->text);
     fprintf(out, ", %zu x %zu pixels, %s pixel\n", view->width, view->height,
             bl_pixel_words[settings->pixel]);
+    print_depth(out, result);
     print_reference(out, result);
     bl_table_print(&rows, out);
     fputs(
@@ -159,6 +177,7 @@ static bl_status measure(bl_call *call, const bl_signal *signal, const bl_view *
     bl_words_free(&methods);
     if (status != BL_OK)
         return status;
+    bl_alias_warn(call, signal, view, &result.sameness);
     if (call->path)
         status = bl_alias_files_write(call, signal, view, &result);
     json_t *object = status == BL_OK ? bl_json_start(call) : NULL;
@@ -171,6 +190,7 @@ static bl_status measure(bl_call *call, const bl_signal *signal, const bl_view *
 }
 
 static bl_status run_alias(bl_call *call) {
+    bl_call_may_warn(call);
     const alias_options *options = call->settings;
     size_t size[2] = {0, 0};
     bl_view view;

@@ -15,4 +15,8 @@ bl_status bl_alias_files_write(bl_call *call, const bl_signal *signal, const bl_
 // A row a method; valid as long as the result is.
 bl_table bl_alias_table(const bl_alias_result *result);
 
+// Warns where the signal is constant, or nearly so, in the image, and says where it varies.
+void bl_alias_warn(bl_call *call, const bl_signal *signal, const bl_view *view,
+                   const bl_sameness *same);
+
 #endif

@@ -7,6 +7,7 @@
 
 #include "cli/components.h"
 #include "cli/json.h"
+#include "aliasing/depth.h"
 #include "cli/render_warning.h"
 #include "core/plain.h"
 #include "cli/verb.h"
@@ -108,6 +109,20 @@ static void settle_range(const bl_signal *signal, slice_view *view) {
     }
 }
 
+// The axes that --at does not name: a solid noise is seen at a random depth, since its lattice planes
+// are unlike all else; what a picture shows is not moved.
+static void settle_depth(const bl_call *call, const bl_signal *signal, const bl_picture *picture,
+                         slice_view *view) {
+    const render_settings *settings = call->settings;
+    const int stays = picture->normal[0] != 0 || picture->normal[1] != 0 || picture->normal[2] != 0;
+    unsigned asked = settings->at ? 1 : 0;
+    for (const char *c = settings->at; c && *c; c++)
+        asked += *c == ',';
+    for (unsigned a = asked; a < signal->dimensions && signal->dimensions > 2 && !stays; a++)
+        if (a == 3 || view->normal[a] != 0)
+            view->centre[a] = bl_depth_place(signal, a, call->common.seed);
+}
+
 static bl_status settle_view(bl_call *call, const bl_signal *signal, slice_view *view) {
     const render_settings *settings = call->settings;
     bl_status status = BL_OK;
@@ -136,6 +151,8 @@ static bl_status settle_view(bl_call *call, const bl_signal *signal, slice_view 
     if (status == BL_OK && settings->range)
         status =
             bl_read_range("range", settings->range, 0, &view->black, &view->white, &call->message);
+    if (status == BL_OK)
+        settle_depth(call, signal, &picture, view);
     return status == BL_OK ? settle_plane(view, &call->message) : status;
 }
 
@@ -193,6 +210,12 @@ static void report(bl_call *call, const bl_signal *signal, const slice_view *vie
     fputs(" to ", call->out);
     bl_plain_number(call->out, outcome->maximum, 6);
     fputc('\n', call->out);
+    if (signal->dimensions > 2) {
+        fputs("the middle is at ", call->out);
+        for (unsigned k = 0; k < signal->dimensions; k++)
+            fprintf(call->out, "%s%c = %.10g", k ? ", " : "", "xyzw"[k], view -> centre[k] + 0.0);
+        fputc('\n', call->out);
+    }
     if (is_png(call->path))
         fprintf(call->out, "black is %g, white is %g%s; %zu value%s clipped\n", view->black + 0.0,
                 view->white + 0.0, view->colour ? ", on the curve of sRGB" : "", outcome->clipped,
@@ -365,7 +388,8 @@ static const bl_option options[] = {
          "units across the width (default: 16, the whole of an image, or what shows a texture)"},
     {"at", BL_OPTION_WORD, AT(at), "X,Y,Z,W",
      .help = "the point at the centre; of a noise in four dimensions W, its time, too (default: "
-             "0,0,0,0, the middle of an image, or as suits a texture)"},
+             "0,0 and of a solid noise a random depth of the seed, the middle of an image, or as "
+             "suits a texture)"},
     {"normal", BL_OPTION_WORD, AT(normal), "AXIS",
      .help = "normal of the slice, along which it is seen: x, y, z or DX,DY,DZ (default: z, or as "
              "suits a texture)"},

@@ -107,6 +107,9 @@ void bl_advice_choose(bl_advice *advice, double tolerance) {
     advice->verdict = within != SIZE_MAX ? BL_VERDICT_PASS
                       : maybe            ? BL_VERDICT_INCONCLUSIVE
                                          : BL_VERDICT_FAIL;
+    if (bl_alias_is_constant(
+            &advice->alias)) // all are right, for what they do elsewhere is not seen
+        advice->verdict = BL_VERDICT_INCONCLUSIVE;
     advice->chosen = within != SIZE_MAX ? within : best;
     advice->cheaper = SIZE_MAX;
     for (size_t i = 0; i < advice->alias.count; i++)

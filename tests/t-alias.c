@@ -281,6 +281,65 @@ static void test_alias_and_blur_of_noises_are_as_predicted(void **state) {
     }
 }
 
+// A slice through a solid noise is not its lattice plane 0, unless it is asked for; a prediction is
+// of all depths. Tolerances as above.
+static void test_a_solid_noise_is_seen_at_a_random_depth(void **state) {
+    (void)state;
+    static const char *const methods[] = {"point", "supersample:n=2"};
+    static const char *const noises[] = {"gnoise", "vnoise", "gnoise:dims=4"};
+    bl_alias_settings settings = quick();
+    double before = 0;
+    for (int n = 0; n < 3; n++) {
+        settings.replicates = 16;
+        settings.seed = 5 + (uint64_t)n;
+        bl_alias_result result =
+            measure(bl_test_open_source(noises[n]), "flat:scale=40", methods, 2, &settings);
+        assert_true(result.random_depth && result.depth[2] > 0 && result.depth[2] != before);
+        assert_int_equal(isfinite(result.depth[3]), n == 2);
+        assert_true(isnan(result.depth[0]) && isnan(result.depth[1]));
+        before = result.depth[2];
+        for (int m = 0; m < 2 && n < 2; m++) {
+            const bl_alias_row *row = &result.rows[m];
+            double widen = 6 / bl_student_quantile(0.975, 15);
+            assert_true(row->predicted_alias > 0);
+            assert_near(row->alias.value, row->predicted_alias,
+                        widen * (row->alias.upper - row->alias.value));
+        }
+        bl_alias_free(&result);
+        settings.replicates = 2;
+        result =
+            measure(bl_test_open_source(noises[n]), "flat:scale=40,z=0,w=0", methods, 1, &settings);
+        assert_false(result.random_depth);
+        assert_near(result.depth[2], 0, 0);
+        assert_true(isnan(result.rows[0].predicted_alias));
+        bl_alias_free(&result);
+    }
+}
+
+static void test_a_constant_image_is_named(void **state) {
+    (void)state;
+    static const char *const methods[] = {"point", "mean"};
+    static const struct {
+        const char *signal, *view;
+        int constant;
+    } cases[] = {{"star", "flat:x=40", 1},
+                 {"star", "plane", 1},
+                 {"star", "flat:scale=1,x=0.5,y=0.5", 0},
+                 {"checkerboard", "flat:scale=0.1,x=0.5,y=0.5", 1},
+                 {"checkerboard", "flat:scale=1e6", 0},
+                 {"brick", "plane", 0},
+                 {"gnoise", "flat", 0}};
+    const bl_alias_settings settings = quick();
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        bl_alias_result result =
+            measure(bl_test_open_source(cases[c].signal), cases[c].view, methods, 2, &settings);
+        assert_int_equal(bl_alias_is_constant(&result), cases[c].constant);
+        if (cases[c].constant)
+            assert_true(result.sameness.found && result.sameness.reach < 16);
+        bl_alias_free(&result);
+    }
+}
+
 static void test_a_sum_of_octaves_is_clamped_by_the_view(void **state) {
     (void)state;
     static const char *const methods[] = {"point", "hard", "fade", "none"};
@@ -424,6 +483,8 @@ int main(void) {
         cmocka_unit_test(test_point_sampling_folds_a_wave_to_where_it_must),
         cmocka_unit_test(test_box_and_supersampling_leave_what_their_responses_say),
         cmocka_unit_test(test_alias_and_blur_of_noises_are_as_predicted),
+        cmocka_unit_test(test_a_solid_noise_is_seen_at_a_random_depth),
+        cmocka_unit_test(test_a_constant_image_is_named),
         cmocka_unit_test(test_a_sum_of_octaves_is_clamped_by_the_view),
         cmocka_unit_test(test_only_what_errs_flickers),
         cmocka_unit_test(test_threads_do_not_change_what_is_measured),

@@ -7,7 +7,8 @@
 // Parameters
 //   scale    units across the width of the image
 //   rotate   of the texture against the image, degrees, counterclockwise
-//   x, y, z  the place in the middle of the image
+//   x, y     the place in the middle of the image
+//   z, w     of the slice through a solid signal; random where they are not asked for
 //
 // t runs downwards, as rows do. The derivatives are exact and the same all over.
 #include "aliasing/view.h"
@@ -16,7 +17,7 @@
 #include <stddef.h>
 
 typedef struct flat_parameters {
-    double scale, rotate, x, y, z;
+    double scale, rotate, x, y, z, w;
 } flat_parameters;
 
 static int see(const void *block, const double size[2], double x, double y, bl_sight *sight) {
@@ -24,7 +25,7 @@ static int see(const void *block, const double size[2], double x, double y, bl_s
     double pixel = p->scale / size[0], angle = p->rotate * (M_PI / 180);
     double along[2] = {pixel * cos(angle), pixel * sin(angle)};
     double right = x - 0.5 * size[0], down = y - 0.5 * size[1];
-    *sight = (bl_sight){.at = {0, 0, p->z, 0},
+    *sight = (bl_sight){.at = {0, 0, p->z, p->w},
                         .across = {along[0], along[1]},
                         .down = {-along[1], along[0]},
                         .distance = 1};
@@ -44,7 +45,8 @@ static const bl_parameter parameters[] = {
      .maximum = 360, .help = "of the texture against the image, counterclockwise"},
     PLACE(x, "0", "in the middle of the image", -1e15, 1e15),
     PLACE(y, "0", "in the middle of the image", -1e15, 1e15),
-    PLACE(z, "0", "of the slice through a solid texture", -1e15, 1e15),
+    PLACE(z, "0", "of the slice through a solid signal; without the key a random one", -1e15, 1e15),
+    PLACE(w, "0", "the same along the fourth axis", -1e15, 1e15),
     {0}};
 
 static const char *const examples[] = {"scale=7,rotate=30,x=3,y=-2", NULL};

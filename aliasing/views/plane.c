@@ -12,6 +12,7 @@
 //   fov           of the image's width, degrees
 //   pitch         of the line of sight below the horizon, degrees
 //   rotate, x, y  where the eye looks, degrees to the left of -t, and the place below it
+//   z, w          of the slice through a solid signal; random where they are not asked for
 //
 // t runs downwards in the image, towards the eye. At the horizon and above it nothing is seen. It
 // ends where D = 1e-6, a million heights away: all numbers stay below 1e30, and a footprint there
@@ -22,7 +23,7 @@
 #include <stddef.h>
 
 typedef struct plane_parameters {
-    double height, fov, pitch, rotate, x, y;
+    double height, fov, pitch, rotate, x, y, z, w;
 } plane_parameters;
 
 static void set(const double *along, double a, double b, double *s, double *t) {
@@ -40,7 +41,7 @@ static int see(const void *block, const double size[2], double x, double y, bl_s
     if (!(fall >= 1e-6))
         return 0;
     double h = p->height, r = 1 / fall, square = pixel * pixel;
-    *sight = (bl_sight){.distance = h * r * sqrt(1 + u * u + v * v)};
+    *sight = (bl_sight){.at = {0, 0, p->z, p->w}, .distance = h * r * sqrt(1 + u * u + v * v)};
     set(along, h * r * u, h * r * (c - v * sin(pitch)), &sight->at[0], &sight->at[1]);
     sight->at[0] += p->x;
     sight->at[1] += p->y;
@@ -64,6 +65,9 @@ static const bl_parameter parameters[] = {
     REAL(rotate, "0", "degrees", -360, 360, "of the line of sight to the left of -t"),
     REAL(x, "0", "units", -1e12, 1e12, "below the eye"),
     REAL(y, "0", "units", -1e12, 1e12, "below the eye"),
+    REAL(z, "0", "units", -1e15, 1e15,
+         "of the slice through a solid signal; without the key a random one"),
+    REAL(w, "0", "units", -1e15, 1e15, "the same along the fourth axis"),
     {0}};
 
 static const char *const examples[] = {"height=2.5,fov=80,pitch=40,rotate=-35,x=7,y=9", "pitch=90",
