@@ -163,7 +163,8 @@ static void print_choice(FILE *out, const bl_advice *advice, double tolerance,
                          const char *measure) {
     const bl_alias_row *chosen = &advice->alias.rows[advice->chosen];
     if (bl_alias_is_constant(&advice->alias)) {
-        fputs("no advice: the image is constant, and every method is right there\n", out);
+        fputs("no advice: the image is constant, and does not tell good methods from bad ones\n",
+              out);
         return;
     }
     if (advice->verdict == BL_VERDICT_PASS)

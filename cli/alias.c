@@ -141,8 +141,8 @@ static void print_depth(FILE *out, const bl_alias_result *result) {
             fprintf(out, "the slice at %c = %.10g\n", "xyzw"[a], result -> depth[a]);
     if (result->random_depth)
         fputs(
-            "(a random depth; ask the view for another by its keys z and w. Alias and blur are "
-            "averages over depths)\n",
+            "(a random depth of the seed, unless z or w is given to flat or plane; alias and blur "
+            "are averages over depths)\n",
             out);
 }
 
