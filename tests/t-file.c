@@ -161,6 +161,32 @@ static void test_folders_are_made_with_their_parents(void **state) {
     assert_non_null(strstr(message.text, "in the way"));
 }
 
+// Between opening and closing a folder of that name has come: the last step of all, the renaming,
+// fails, is told, and leaves nothing beside.
+static void test_a_name_that_cannot_be_taken_is_told(void **state) {
+    (void)state;
+    bl_file file;
+    bl_message message = {""};
+    char target[256];
+    snprintf(target, sizeof target, "%s", path_of("taken.csv"));
+    size_t files = files_in_folder();
+    assert_int_equal(bl_file_create(target, &file, &message), BL_OK);
+    fputs("text", file.stream);
+    assert_int_equal(mkdir(target, 0777), 0);
+    assert_int_equal(bl_file_commit(&file, &message), BL_DEVICE);
+    assert_non_null(strstr(message.text, "taken.csv"));
+    assert_non_null(strstr(message.text, "Is a directory"));
+    assert_null(file.stream);
+    assert_int_equal(files_in_folder(), files + 1); // the folder alone
+
+    write_file(path_of("other.csv"), "text");
+    char other[256];
+    snprintf(other, sizeof other, "%s", path_of("other.csv"));
+    assert_int_equal(bl_file_install(other, target, &message), BL_DEVICE);
+    assert_int_equal(access(other, F_OK), -1);
+    assert_int_equal(rmdir(target), 0);
+}
+
 static void test_temporary_names_differ_and_keep_the_ending(void **state) {
     (void)state;
     char *a = bl_file_temporary_name("x/y.exr"), *b = bl_file_temporary_name("x/y.exr");
@@ -181,6 +207,7 @@ int main(void) {
         cmocka_unit_test(test_a_link_stays_and_what_it_stands_for_is_replaced),
         cmocka_unit_test(test_a_link_to_nothing_is_refused),
         cmocka_unit_test(test_folders_are_made_with_their_parents),
+        cmocka_unit_test(test_a_name_that_cannot_be_taken_is_told),
         cmocka_unit_test(test_temporary_names_differ_and_keep_the_ending),
     };
     bl_set_filter();

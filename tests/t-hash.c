@@ -160,6 +160,66 @@ static void test_unit_and_normal_numbers_have_their_moments(void **state) {
     assert_near(bl_moments_variance(&normal), 1, limit * sqrt(2) / root);
 }
 
+// The streams of seeds are part of the definition of every noise. The numbers are the formulas in the
+// heads of core/hash.h and core/random.h, worked out with the unlimited integers of another language
+// (the constants from 60 digits of the roots):
+//   G = int((sqrt(5) - 1)/2 2^64) | 1, R = int((sqrt(2) - 1) 2^64) | 1, all modulo 2^64
+//   mix(x): x ^= x >> 32; x *= G; x ^= x >> 29; x *= R; x ^= x >> 32
+//   stream(s, k) = mix(mix(s + G) ^ (k R + G)), bits(key, c) = mix(mix(c G) ^ key)
+static void test_streams_are_their_formulas(void **state) {
+    (void)state;
+    static const struct {
+        uint64_t seed, stream, key, bits[3];
+    } known[] = {
+        {0,
+         0,
+         UINT64_C(0xef180b7b810acd60),
+         {UINT64_C(0x85df8cf67dbed90f), UINT64_C(0x2c0da228cab10a7a),
+          UINT64_C(0x3cb711f9a7c5d9f8)}},
+        {0,
+         1,
+         UINT64_C(0x85985f9844c1b825),
+         {UINT64_C(0xce7d0dcdfd0f408d), UINT64_C(0x25486ff3e9222f96),
+          UINT64_C(0xbbe2df57267d89d0)}},
+        {1,
+         0,
+         UINT64_C(0x04819c7ba4339a81),
+         {UINT64_C(0x1b3c0cd2843a13db), UINT64_C(0xd93ee78e21d46438),
+          UINT64_C(0xba798aa6682dac7a)}},
+        {7,
+         3,
+         UINT64_C(0x3801ca4ded0e4131),
+         {UINT64_C(0x8058d310cc3e911a), UINT64_C(0x9f38e4650e4fb3da),
+          UINT64_C(0x971ef108d1f255c9)}},
+        {UINT64_MAX,
+         UINT64_MAX,
+         UINT64_C(0x57d345fe3bfccb25),
+         {UINT64_C(0x6eae05fc6d8d9435), UINT64_C(0x526ff8dfdfd05d59),
+          UINT64_C(0x70917940fb19c676)}},
+    };
+    assert_true(BL_GOLDEN == UINT64_C(0x9e3779b97f4a7c15));
+    assert_true(BL_ROOT_TWO == UINT64_C(0x6a09e667f3bcc909));
+    assert_true(bl_mix(1) == UINT64_C(0x4a47868c6e690842));
+    assert_true(bl_mix(UINT64_C(0x123456789abcdef)) == UINT64_C(0x507959cea44a844c));
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        bl_random random = bl_random_seed(known[i].seed, known[i].stream);
+        assert_true(bl_stream(known[i].seed, known[i].stream) == known[i].key);
+        for (int n = 0; n < 3; n++) {
+            bl_random same = random, unit = random;
+            uint64_t bits = bl_random_bits(&random);
+            assert_true(bits == known[i].bits[n]);
+            assert_true(bl_random_unit(&unit) == ldexp((double)(bits >> 11), -53));
+            // The middle of the step of 2^-53 that the number stands for.
+            double p = ldexp((double)(bits >> 11) + 0.5, -53);
+            assert_true(bl_random_normal(&same) == bl_normal_quantile(p));
+            assert_true(same.counter == random.counter && unit.counter == random.counter);
+        }
+    }
+    assert_true(bl_component_seed(7, 0) == 7);
+    assert_true(bl_component_seed(7, 1) == UINT64_C(0xcb1a89b983652cb1));
+    assert_true(bl_component_seed(7, 2) == UINT64_C(0x3ef6be179378ff29));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_input_bit_flips_every_output_bit_half_of_the_time),
@@ -168,6 +228,7 @@ int main(void) {
         cmocka_unit_test(test_neighbouring_seeds_are_uncorrelated),
         cmocka_unit_test(test_numbers_fill_their_range_evenly),
         cmocka_unit_test(test_unit_and_normal_numbers_have_their_moments),
+        cmocka_unit_test(test_streams_are_their_formulas),
     };
     return bl_run_tests(tests);
 }
