@@ -70,13 +70,13 @@ static void test_every_verb_draws_the_least_t_at_the_top(void **state) {
     static const char *const endings[] = {"rise.exr", "rise.png", "rise.tif"};
     for (int i = 0; i < 3; i++) {
         const char *path = bl_temporary_path(endings[i]);
-        RUN("render", rising(), "--width", "16", "--range=-100:100", "-o", path);
+        RUN("render", rising(), "--width", "16", "--at", "0,0,0", "--range=-100:100", "-o", path);
         expect_rising(path);
     }
     char path[400];
     const char *folder = bl_temporary_path("alias");
-    RUN("alias", rising(), "--view", "flat", "--method", "point", "--size", "16", "--quick", "-o",
-        folder);
+    RUN("alias", rising(), "--view", "flat:z=0", "--method", "point", "--size", "16", "--quick",
+        "-o", folder);
     static const char *const files[] = {"reference.exr", "reference.png", "point.exr"};
     for (int i = 0; i < 3; i++) {
         snprintf(path, sizeof path, "%s/%s", folder, files[i]);
