@@ -16,7 +16,7 @@
 // Bound: colours are cut to [0, 1]; the spline undershoots 0 in blue just below the horizon. Mean
 // and infinite width: the average over all altitudes, which on a sphere are uniformly distributed
 // (Archimedes), before the cut. Period: none. Class C0, where blue is cut at 0, but at the origin,
-// where there is no direction and no value. NaN and infinite places give NaN.
+// where there is no direction: it has the colour of the horizon. NaN and infinite places give NaN.
 //
 // Source: peachey2003, p. 36. Deviation: the listing's names of two blues are damaged; the ramp
 // from the horizon up is that of its seven blues and black in the order of their brightness.
@@ -54,15 +54,15 @@ static bl_colour see(const metallic_parameters *p, const double at[BL_AXES],
                      const bl_footprint *footprint) {
     // The ratio of the squares overflows for no place up to 2^62, and is exact in its sign.
     double length = sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
-    double altitude = 0.5 + 0.5 * at[2] / length;
+    double altitude = length == 0 ? 0.5 : 0.5 + 0.5 * at[2] / length;
     bl_colour seen;
-    if (!(length > 0))
+    if (!isfinite(length))
         return bl_colour_missing;
     if (bl_footprint_is_whole(footprint, 3)) {
         seen = bl_colour_spline_mean(&sky, 0.5, 1);
     } else if (p->seeing.filter == INTEGRAL) {
         // No direction is higher than straight up, so no width is more than all altitudes.
-        double half = 0.25 * footprint->width[2] / length;
+        double width = footprint->width[2], half = width > 0 ? 0.25 * width / length : width;
         double from = fmax(altitude - half, 0), to = fmin(altitude + half, 1);
         seen = isnan(half) ? bl_colour_missing
                            : bl_colour_spline_mean(&sky, 0.5 * (from + to), to - from);

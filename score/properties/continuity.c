@@ -13,6 +13,14 @@
 // can hide is either too small to count, or the place is unresolved. The power is taken below an
 // eighth of the finest cell: above, the waves of the finest octaves are no jumps.
 //
+// Lines never meet a value that is another one just on a plane of the lattice or where fractions
+// tie. At each special place (special.h) the value is compared with those 2^-8, 2^-12 ... 2^-32 of
+// a cell away, both ways along two directions: where the difference no longer shrinks, by more than
+// a tenth over two levels, the value jumps there. The last level is that where the values still
+// differ, so that a function of floats is judged by what its coordinates resolve. This is done by
+// the reference; that rows and points say the same there is the question of another property. Far
+// out, jumps across powers of two are looked for (overflow.h).
+//
 // Judged against the stated class: a jump of a derivative of that order or below fails. A signal
 // that states a bound, or a class of 0 or more, states its class; -1 of any other is "not stated",
 // and then only a jump of the value fails. Jumps below 2^-16 of the range are not told from
@@ -23,9 +31,12 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/continuity.h"
 #include "core/grid.h"
+#include "score/properties/overflow.h"
+#include "score/properties/special.h"
 
 enum { PER_CELL = 256, LINE = 16 * PER_CELL + 1, CANDIDATES = 3, FINE = 16, LEVELS = 16 };
 enum { ORDERS = 3, SMOOTH = ORDERS, UNRESOLVED };
@@ -204,6 +215,84 @@ static void scan(const bl_signal *signal, const bl_score_look *look, size_t inde
     }
 }
 
+// --- special places -----------------------------------------------------------------------------
+
+enum { RAYS = 4, RAY_LEVELS = 7 };
+
+// Values of the reference at a place, and on rays from it: level k is 2^-(8 + 4k) cells away.
+typedef struct rays {
+    double here, away[RAYS][RAY_LEVELS];
+} rays;
+
+static rays see_rays(const bl_signal *signal, const bl_score_look *look, const double at[BL_AXES],
+                     bl_random random) {
+    enum { COUNT = RAYS * RAY_LEVELS + 1 };
+    double column[BL_AXES][COUNT], value[COUNT], unit[RAYS / 2][BL_AXES];
+    rays r;
+    for (int k = 0; k < RAYS / 2; k++)
+        for (int a = 0; a < BL_AXES; a++)
+            unit[k][a] = bl_random_unit(&random) - 0.5;
+    for (int i = 0; i < COUNT; i++) {
+        int ray = i / RAY_LEVELS;
+        double away = ldexp(look->cell, -8 - 4 * (i % RAY_LEVELS));
+        for (unsigned a = 0; a < BL_AXES; a++)
+            column[a][i] = ray == RAYS || a >= look->dimensions // -0.0 stays
+                               ? at[a]
+                               : at[a] + (ray % 2 ? away : -away) * unit[ray / 2][a];
+    }
+    bl_signal_values(signal, BL_COLUMNS(column), COUNT, value);
+    memcpy(r.away, value, sizeof r.away);
+    r.here = value[COUNT - 1];
+    return r;
+}
+
+// How far the value at the place is from its limit along a ray; 0: it goes there.
+static double jump_along(double here, const double away[RAY_LEVELS], const bl_score_look *look) {
+    double apart[RAY_LEVELS], least = 0x1p-12 * look->range;
+    int last = RAY_LEVELS - 1;
+    for (int k = 0; k < RAY_LEVELS; k++)
+        apart[k] = fabs(away[k] - here);
+    while (last > 0 && apart[last] == 0)
+        last--;
+    // Coarser than 2^-16 of the finest cell a wave may look like a jump.
+    if (last < 2 || ldexp(look->cell, -8 - 4 * last) > 0x1p-12 * look->finest)
+        return 0;
+    return apart[last] > least && apart[last] > 0.9 * apart[last - 1] &&
+                   apart[last - 1] > 0.9 * apart[last - 2]
+               ? apart[last]
+               : 0;
+}
+
+static finding look_at_special(const bl_signal *signal, const bl_score_look *look,
+                               const double at[BL_AXES], bl_random random) {
+    rays r = see_rays(signal, look, at, random);
+    finding f = {.order = SMOOTH};
+    for (int k = 0; k < RAYS; k++)
+        f.size = fmax(f.size, jump_along(r.here, r.away[k], look));
+    if (f.size > 0)
+        f.order = 0;
+    memcpy(f.at, at, sizeof f.at);
+    return f;
+}
+
+// The largest jump of all special places.
+static finding look_at_specials(const bl_signal *signal, const bl_score_settings *settings,
+                                const bl_score_look *look, finding *found) {
+    bl_special special;
+    finding worst = {.order = SMOOTH};
+    bl_random random = bl_score_random(settings, "special", 0);
+    bl_special_fill(&special, look->dimensions, look->cell, &random);
+#pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic, 8)
+    for (size_t i = 0; i < special.count; i++) {
+        const double at[BL_AXES] = {special.at[0][i], special.at[1][i], special.at[2][i],
+                                    special.at[3][i]};
+        found[i] = look_at_special(signal, look, at, bl_score_random(settings, "special", 1 + i));
+    }
+    for (size_t i = 0; i < special.count; i++)
+        worst = found[i].size > worst.size ? found[i] : worst;
+    return worst;
+}
+
 // --- the verdict --------------------------------------------------------------------------------
 
 typedef struct summary {
@@ -220,6 +309,18 @@ static summary summarise(const finding *found, size_t count) {
             s.largest[order] = found[i];
     }
     return s;
+}
+
+// Across a power of two far out (overflow.h), as far as the signal is said to be good; if nothing
+// is said, where a double still has a fraction of twenty bits.
+static void add_far_jump(const bl_signal *signal, const bl_score_settings *settings, summary *s) {
+    bl_overflow_place broken[BL_OVERFLOW_KINDS];
+    const bl_overflow_place *jump = &broken[BL_OVERFLOW_JUMP];
+    bl_overflow_find(signal, settings, broken);
+    if (!(jump->from <= bl_overflow_domain(signal, 0x1p32)) || s->largest[0].size > 0)
+        return;
+    s->largest[0] = (finding){.order = 0, .size = jump->value};
+    memcpy(s->largest[0].at, jump->at, sizeof jump->at);
 }
 
 static void add_numbers(const summary *s, const bl_score_look *look, int found_class,
@@ -286,13 +387,18 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     if (!bl_score_look_at(subject, settings, result, &look))
         return BL_OK;
     size_t lines = (size_t)bl_size_pick(settings->size, 48, 192, 1536);
-    finding *found = malloc(lines * CANDIDATES * sizeof *found);
+    size_t count = lines * CANDIDATES;
+    finding *found = malloc((count + BL_SPECIAL_MOST) * sizeof *found);
     if (!found)
         return bl_score_no_memory(result, message);
 #pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)
     for (size_t i = 0; i < lines; i++)
         scan(signal, &look, i, bl_score_random(settings, "continuity", i), found + i * CANDIDATES);
-    summary s = summarise(found, lines * CANDIDATES);
+    summary s = summarise(found, count);
+    finding special = look_at_specials(signal, settings, &look, found + count);
+    if (special.size > s.largest[0].size)
+        s.largest[0] = special;
+    add_far_jump(signal, settings, &s);
     judge(signal, &s, &look, result);
     free(found);
     return BL_OK;

@@ -10,6 +10,10 @@
 // coordinates. And the variance over fresh seeds and places near 10^6 is compared with that near 0.
 // NaN and infinite coordinates must give NaN.
 //
+// Cells that overflow and floats that end break a noise at powers of two: the first coordinate where
+// the range breaks, where there is no number and where neighbours jump is told (overflow.h). What
+// lies within facts.far fails the claim; where nothing is stated, within 2^32 it fails the ideal.
+//
 // Judged against facts.far, where it is stated: values stay distinct, by nine tenths of what they
 // are near 0, in every cell up to a quarter of it. Else against the ideal: by one half up to 10^6.
 // A value that is not a number is none of the distinct ones, so the reach ends where they end.
@@ -24,6 +28,8 @@
 #include <string.h>
 
 #include "core/grid.h"
+#include "score/properties/overflow.h"
+#include "score/properties/sampling.h"
 
 enum {
     PLACES = 256,
@@ -217,13 +223,13 @@ static summary summarise(const bl_signal *signal, const bl_score_settings *setti
             best = fmax(best, close[n][axis].share);
         near = fmin(near, best);
     }
+    // A staircase has more steps in one cell than in the next.
+    least = near < 0.9 ? fmin(least, 0.5) : least;
 #pragma omp parallel for num_threads(threads) schedule(dynamic)
     for (unsigned n = 0; n < (SCALES + 2) * axes; n++)
         views[n / axes][n % axes] =
             best_view(signal, scale_of((int)(n / axes)), n % axes, look->cell,
-                      bl_score_random(settings, "far", n % axes), 0.5 * near);
-    // A staircase has more steps in one cell than in the next.
-    least = near < 0.9 ? fmin(least, 0.5) : least;
+                      bl_score_random(settings, "far", n % axes), least * near);
     for (unsigned i = 0; i < SCALES + 2; i++) {
         s.share[i] = 1;
         for (unsigned axis = 0; axis < axes; axis++) {
@@ -248,31 +254,81 @@ static void add_numbers(const summary *s, bl_score_property *result) {
     snprintf(result->cell, sizeof result->cell, "%.0e", s->reach);
 }
 
+// The coordinates; NaN: nowhere.
+static void add_broken(const bl_overflow_place *broken, bl_score_property *result) {
+    static const char *const names[BL_OVERFLOW_KINDS] = {"range_breaks_at", "no_number_at",
+                                                         "neighbours_jump_at"};
+    for (int kind = 0; kind < BL_OVERFLOW_KINDS; kind++)
+        bl_score_add_seen(result, names[kind],
+                          isfinite(broken[kind].from) ? broken[kind].from : NAN);
+}
+
+// "2^31", or the number.
+static bl_score_text power_text(double x) {
+    bl_score_text out;
+    int exponent;
+    if (frexp(x, &exponent) == 0.5)
+        snprintf(out.text, sizeof out.text, "2^%d", exponent - 1);
+    else
+        snprintf(out.text, sizeof out.text, "%.9g", x);
+    return out;
+}
+
+// Of what breaks within `limit` the nearest; NULL: nothing.
+static const bl_overflow_place *nearest(const bl_overflow_place *broken, double limit) {
+    const bl_overflow_place *first = NULL;
+    for (int kind = 0; kind < BL_OVERFLOW_KINDS; kind++)
+        if (broken[kind].from <= limit && (!first || broken[kind].from < first->from))
+            first = &broken[kind];
+    return first;
+}
+
+// What breaks there, and where; "" for nothing.
+static void tell_broken(const bl_signal *signal, const bl_overflow_place *broken,
+                        const bl_overflow_place *first, char text[300]) {
+    static const char *const what[BL_OVERFLOW_KINDS] = {"the range breaks", "there is no number",
+                                                        "neighbours jump"};
+    text[0] = '\0';
+    if (first)
+        snprintf(text, 300, "%s at %s: %.3g at %s", what[first - broken],
+                 power_text(first->from).text, first->value,
+                 bl_score_place_text(signal, first->at).text);
+}
+
 static void judge(const bl_signal *signal, const summary *s, double limit, int is_nan,
-                  const bl_estimate *ratio, bl_score_property *result) {
+                  const bl_estimate *ratio, const bl_overflow_place *broken,
+                  bl_score_property *result) {
+    char told[300], beyond[304] = "";
+    const bl_overflow_place *within = nearest(broken, bl_overflow_domain(signal, 0x1p32));
     bl_score_against against = signal->facts.far > 0 ? BL_AGAINST_CLAIM : BL_AGAINST_IDEAL;
     const char *wish = against == BL_AGAINST_CLAIM ? "stated" : "wanted";
+    tell_broken(signal, broken, within ? within : nearest(broken, BL_OVERFLOW_LAST / 2), told);
+    if (told[0])
+        snprintf(beyond, sizeof beyond, "; %s", told);
     if (s->lost > 0)
         bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "half of the values in a cell are distinct numbers up to %.0e; at %.0e too "
-                       "few are, and %s is %.3g",
-                       s->reach, s->lost, wish, limit);
+                       "few are, and %s is %.3g%s",
+                       s->reach, s->lost, wish, limit, beyond);
     else if (!s->is_finite)
         bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "half of the values in a cell are distinct numbers up to %.0e, but some "
-                       "below %.3g are not finite, and %s is %.3g",
-                       s->reach, limit, wish, limit);
+                       "below %.3g are not finite, and %s is %.3g%s",
+                       s->reach, limit, wish, limit, beyond);
     else if (!is_nan)
         bl_score_judge(result, BL_VERDICT_FAIL, against,
-                       "a coordinate that is NaN or infinite does not give NaN");
+                       "a coordinate that is NaN or infinite does not give NaN%s", beyond);
     else if (ratio->lower > 1.2 || ratio->upper < 0.8)
         bl_score_judge(result, BL_VERDICT_FAIL, against,
-                       "the variance near 1e6 is %.3g times that near 0", ratio->value);
+                       "the variance near 1e6 is %.3g times that near 0%s", ratio->value, beyond);
+    else if (within)
+        bl_score_judge(result, BL_VERDICT_FAIL, against,
+                       "values are distinct numbers up to %.0e, but %s", s->reach, told);
     else
         bl_score_judge(result, BL_VERDICT_PASS, against,
                        "values stay distinct numbers up to %.0e (%s: %.3g), and the variance near "
-                       "1e6 is %.3g times that near 0",
-                       s->reach, wish, limit, ratio->value);
+                       "1e6 is %.3g times that near 0%s",
+                       s->reach, wish, limit, ratio->value, beyond);
 }
 
 static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
@@ -288,12 +344,18 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         return BL_OK;
     int is_stated = signal->facts.far > 0;
     double limit = is_stated ? signal->facts.far / 4 : FAR_PLACE;
+    // A cell that was found is that of the finest detail, beside which there may be flat ones.
+    if (isnan(subject->scale.stated))
+        look.cell = fmax(look.cell, 1);
+    bl_overflow_place broken[BL_OVERFLOW_KINDS];
+    bl_overflow_find(signal, settings, broken);
     if (variance_ratio(signal, settings, &look, &shown, &judged, message, result) != BL_OK)
         return BL_DEVICE;
     summary s = summarise(signal, settings, &look, is_stated ? 0.9 : 0.5, limit);
     add_numbers(&s, result);
     bl_score_add(result, "variance_ratio_at_1e6", shown);
-    judge(signal, &s, limit, gives_nan(signal, &look), &judged, result);
+    add_broken(broken, result);
+    judge(signal, &s, limit, gives_nan(signal, &look), &judged, broken, result);
     return BL_OK;
 }
 

@@ -9,6 +9,10 @@
 // neighbour is better. What it finds is a value that the signal takes, so a bound below it is
 // refuted; a bound above it is not proved. A grid gives all its samples and is not climbed.
 //
+// Special places (special.h) and powers of two far out (overflow.h), up to the stated reach or to
+// 2^53, are looked at on purpose, by points and by the reference; they count where they leave the
+// range or are no number.
+//
 // The blocks are independent, and the mean of a block and its mean square about the stated mean are
 // sums of many terms, so their averages have Student intervals. A stated mean or variance fails
 // where it lies outside of the interval at the property's share of alpha, half of it each. It is
@@ -20,10 +24,14 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/grid.h"
 #include "core/hash.h"
+#include "score/properties/overflow.h"
+#include "score/properties/places.h"
 #include "score/properties/sampling.h"
+#include "score/properties/special.h"
 #include "score/score.h"
 #include "spectra/histogram.h"
 
@@ -250,6 +258,81 @@ static bl_status look_on_grid(const bl_signal *signal, const bl_score_settings *
     return BL_OK;
 }
 
+// --- special places ---
+
+static int exceeds(const findings *found, double lower, double upper) {
+    double rounding = 32 * 0x1p-24 * fmax(1, fmax(fabs(lower), fabs(upper)));
+    return found->low.value < lower - rounding || found->high.value > upper + rounding;
+}
+
+// A value on purpose: it counts where it is no number, or breaks a range that held so far.
+static void meet(findings *found, const bl_signal *signal, double value, const double at[BL_AXES],
+                 uint64_t seed) {
+    int is_stated = isfinite(bl_score_bound(signal));
+    double lower = is_stated ? signal->facts.lower : -1,
+           upper = is_stated ? signal->facts.upper : 1;
+    extreme here = {.value = value, .seed = seed};
+    findings with = *found;
+    memcpy(here.at, at, sizeof here.at);
+    with.low = value < found->low.value ? here : found->low;
+    with.high = value > found->high.value ? here : found->high;
+    if (found->broken)
+        return;
+    if (!isfinite(value)) {
+        found->broken = 1;
+        found->low = here;
+    } else if (exceeds(&with, lower, upper)) {
+        *found = with;
+    }
+}
+
+static void meet_special(findings *found, const bl_signal *signal, double cell, uint64_t seed,
+                         bl_random random) {
+    enum { CHUNK = BL_SPECIAL_MOST };
+    bl_special special;
+    float points[CHUNK];
+    double values[CHUNK];
+    bl_score_fresh fresh = bl_score_fresh_open(signal, seed);
+    bl_special_fill(&special, signal->dimensions, cell, &random);
+    bl_signal_points(fresh.signal, BL_COLUMNS(special.at), special.count, points);
+    bl_signal_values(fresh.signal, BL_COLUMNS(special.at), special.count, values);
+    bl_score_fresh_close(&fresh);
+    for (size_t i = 0; i < special.count; i++) {
+        const double at[BL_AXES] = {special.at[0][i], special.at[1][i], special.at[2][i],
+                                    special.at[3][i]};
+        meet(found, signal, (double)points[i], at, seed);
+        meet(found, signal, values[i], at, seed);
+    }
+}
+
+static uint64_t own_seed(const bl_signal *signal) {
+    uint64_t seed = 0;
+    if (signal->seed_offset != SIZE_MAX)
+        memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);
+    return seed;
+}
+
+static void meet_far(findings *found, const bl_signal *signal, const bl_score_settings *settings) {
+    bl_overflow_place broken[BL_OVERFLOW_KINDS];
+    bl_overflow_find(signal, settings, broken);
+    for (int kind = BL_OVERFLOW_RANGE; kind <= BL_OVERFLOW_NAN; kind++)
+        if (broken[kind].from <= bl_overflow_domain(signal, BL_OVERFLOW_LAST))
+            meet(found, signal, broken[kind].value, broken[kind].at, own_seed(signal));
+}
+
+static void look_on_purpose(const bl_signal *signal, const bl_score_settings *settings,
+                            findings *found) {
+    enum { SEEDS = 3 };
+    double cell = signal->facts.cell > 0 ? signal->facts.cell : 1;
+    for (uint64_t s = 0; s < SEEDS; s++) {
+        uint64_t seed = s ? seed_of_block(settings, (size_t)s) : own_seed(signal);
+        meet_special(found, signal, cell, seed, bl_score_random(settings, "range", s));
+        if (cell != 1)
+            meet_special(found, signal, 1, seed, bl_score_random(settings, "range", SEEDS + s));
+    }
+    meet_far(found, signal, settings);
+}
+
 // --- numbers ---
 
 static void add_place(bl_score_property *result, const bl_signal *signal, const findings *found,
@@ -295,11 +378,6 @@ static void add_numbers(bl_score_property *result, const bl_signal *signal, cons
 }
 
 // --- verdicts ---
-
-static int exceeds(const findings *found, double lower, double upper) {
-    double rounding = 32 * 0x1p-24 * fmax(1, fmax(fabs(lower), fabs(upper)));
-    return found->low.value < lower - rounding || found->high.value > upper + rounding;
-}
 
 static void judge_bound(bl_score_property *result, const bl_signal *signal, const findings *found) {
     double lower = signal->facts.lower, upper = signal->facts.upper;
@@ -383,6 +461,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
                                                 : look_in_blocks(signal, settings, &found, &own);
     if (status == BL_DEVICE)
         return bl_report(message, status, "%s", own.text);
+    if (status == BL_OK && !found.broken && !bl_score_on_grid(signal))
+        look_on_purpose(signal, settings, &found);
     if (status != BL_OK) // of a grid: what is not finite, with its place
         bl_score_judge(result, BL_VERDICT_FAIL, BL_AGAINST_CLAIM, "%s", own.text);
     else if (found.broken)

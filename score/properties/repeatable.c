@@ -7,7 +7,8 @@
 // instruction set; every bit must agree. This is done with scattered points and with rows along
 // every axis and across them, near the origin and far away. The starts and steps of rows are
 // multiples of 2^-10, so that start + i*step is exact and a piece of a row has the places of the
-// whole. A function of the user's own is also asked by more threads than there are processors, for
+// whole. Special places (special.h) are asked for as points, and rows along the axes and the
+// diagonals of the lattice pass through them. A function of the user's own is also asked by more threads than there are processors, for
 // a while, so that a race is found (race.h); our own are held to be free of them by the tests. One
 // that says that it is not thread-safe, or that answers from processes of its own, is called by one
 // thread at a time, and its races are not looked for.
@@ -26,7 +27,9 @@
 
 #include "core/hash.h"
 #include "score/properties/race.h"
+#include "score/properties/places.h"
 #include "score/properties/sampling.h"
+#include "score/properties/special.h"
 #include "score/score.h"
 
 enum { MOST = 4096, THREADS = 4, BATCHES = 4, REFERENCES = 128 };
@@ -235,6 +238,45 @@ static int try_rows(trial *t, double base, size_t count, bl_random *random) {
     return 1;
 }
 
+// Points where functions break ties.
+static int try_special(trial *t, double cell) {
+    bl_special special;
+    bl_random random = bl_score_random(t->settings, "repeatable", 0);
+    bl_special_fill(&special, t->subject->signal->dimensions, cell, &random);
+    for (int a = 0; a < BL_AXES; a++)
+        memcpy(t->at[a], special.at[a], special.count * sizeof special.at[a][0]);
+    return try_question(t, &(question){.at = t->at, .count = special.count});
+}
+
+// Rows in each direction of three steps an axis, -1, 0 or 1 of 1/16 cell, from a lattice point, and
+// again with random fractions on the axes that stand. They cross the origin or pass near it. The
+// cell is rounded to ten digits of base two, so that start + i*step is exact.
+static int try_diagonals(trial *t, double cell, bl_random *random) {
+    enum { COUNT = 128 };
+    const unsigned axes = t->subject->signal->dimensions;
+    unsigned directions = 1;
+    int exponent;
+    double mantissa = frexp(cell, &exponent);
+    cell = ldexp(rint(0x1p10 * mantissa), exponent - 10);
+    for (unsigned a = 0; a < axes && a < BL_AXES; a++)
+        directions *= 3;
+    // The other half are the same, turned.
+    for (unsigned k = 2 * (directions / 2 + 1); k < 2 * directions; k++) {
+        double start[BL_AXES] = {0}, step[BL_AXES] = {0};
+        unsigned digits = k / 2;
+        for (unsigned a = 0; a < axes && a < BL_AXES; a++, digits /= 3) {
+            double whole = floor(8 * bl_random_unit(random)) - 4;
+            double fraction = floor(0x1p10 * bl_random_unit(random)) * 0x1p-10;
+            step[a] = cell * 0x1p-4 * ((double)(digits % 3) - 1);
+            start[a] =
+                step[a] != 0 ? -COUNT / 2 * step[a] : cell * (whole + (k % 2 ? fraction : 0));
+        }
+        if (!try_row(t, start, step, COUNT))
+            return 0;
+    }
+    return 1;
+}
+
 // Rows of a grid: whole lines of its samples.
 static int try_grid_rows(trial *t, size_t count, bl_random *random) {
     const bl_extent *extent = &t->subject->signal->extent;
@@ -259,6 +301,12 @@ static size_t try_scales(trial *t) {
     // Where a signal does not say how far it reaches, a float of its own reaches that far.
     double far = isfinite(signal->facts.far) ? signal->facts.far / 1024 : 1e6;
     bl_random random = bl_random_seed(t->settings->seed, 0);
+    const double cell = signal->facts.cell > 0 ? signal->facts.cell : 1;
+    t->is_near = 1;
+    if (!bl_score_on_grid(signal) && try_special(t, cell)) {
+        bl_random own = bl_score_random(t->settings, "repeatable", 1);
+        try_diagonals(t, cell, &own);
+    }
     for (size_t s = 0; s < sizeof bases / sizeof *bases && !t->difference[0]; s++) {
         if (s > 0 && (bl_score_on_grid(signal) || fabs(bases[s]) > far))
             continue;
