@@ -64,7 +64,10 @@ static void find_share(const bl_table *table, size_t row, bl_cell *cell) {
 }
 
 static void find_remark(const bl_table *table, size_t row, bl_cell *cell) {
-    cell->word = is_beyond(table, row) ? "beyond what was measured" : "";
+    const bl_band *band = (const bl_band *)table->rows + row;
+    cell->word = is_beyond(table, row)                        ? "beyond what was measured"
+                 : isnan(band->exact) && !isnan(band->theory) ? "no exact share is known"
+                                                              : "";
 }
 
 // clang-format off
@@ -76,7 +79,8 @@ static const bl_field band_fields[] = {
     {"fraction", NULL, BL_CELL_ESTIMATE, AT(fraction), .bare_limits = 1, .forms = BL_IN_JSON},
     {"share", "share of the variance", BL_CELL_ESTIMATE, .find = find_share, .digits = 5,
      .limits = "", .forms = BL_IN_TEXT},
-    {"theory", "theory", BL_CELL_REAL, AT(theory), .digits = 5},
+    {"theory", "theory, windowed", BL_CELL_REAL, AT(theory), .digits = 5},
+    {"theory_exact", "theory, exact", BL_CELL_REAL, AT(exact), .digits = 5},
     {"remark", "", BL_CELL_WORD, .find = find_remark, .forms = BL_IN_TEXT},
     {0}};
 #undef AT
@@ -147,8 +151,10 @@ static bl_status report(bl_call *call, const bl_signal *signal, const bl_psd *ps
                         size_t count) {
     const spectrum_settings *settings = call->settings;
     bl_status status = BL_OK;
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++) {
         bl_psd_band(psd, &bands[i]);
+        bands[i].exact = bl_psd_exact_share(signal, &psd->settings, bands[i].from, bands[i].to);
+    }
     const bl_table table = bands_of(psd, bands, count);
     json_t *object = bl_json_start(call);
     if (object) {
@@ -158,6 +164,11 @@ static bl_status report(bl_call *call, const bl_signal *signal, const bl_psd *ps
         bl_spectral_print(call->out, &settings->spectral, signal, psd);
         fputc('\n', call->out);
         bl_table_print(&table, call->out);
+        if (psd->theory)
+            fputs(
+                "shares are measured through the window, so their intervals are about the "
+                "windowed theory\n",
+                call->out);
     }
     if (settings->reach > 0)
         status = add_autocorrelation(call, signal);
@@ -206,7 +217,9 @@ const bl_verb bl_verb_spectrum = {
     .text =
         "Averages windowed periodograms over independent random places and fresh seeds, and "
         "compares them with the closed form where the signal states one, seen through the same "
-        "window. An image is measured on its own samples: along its rows or columns, or in "
+        "window. Shares of the variance in bands have their exact theory beside the windowed one, "
+        "which their intervals are about. An image is measured on its own samples: along its rows "
+        "or columns, or in "
         "patches. "
         "Frequencies are in cycles per unit, which is a lattice cell for a noise.",
     .least = 1,

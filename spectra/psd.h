@@ -119,12 +119,21 @@ bl_status bl_psd_of_buffer(float *samples, const bl_psd_settings *settings, bl_p
 typedef struct bl_band {
     double from, to;      // cycles per unit, to may be INFINITY
     bl_estimate fraction; // of the variance, over averages; 0 of a signal without any
-    double theory;        // NAN if unknown
+    double theory;        // that the window and the bins make of the closed form; NAN if unknown
+    double exact;         // the closed form's own share; NAN if unknown
 } bl_band;
 
-// Fills fraction and theory of a band from the profiles; bins cut by an edge count in proportion.
+// Fills fraction and theory of a band from the profiles, which the window has smeared, so that it is
+// `theory` that the interval of the fraction covers: `exact` is another number where bins are wide,
+// as in a volume of 64 samples an axis (bl_psd_exact_share); here it is NAN. Bins cut by an edge count in proportion.
 // The corners count where `to` takes in all of them: from sqrt(dims) times Nyquist on.
 void bl_psd_band(const bl_psd *psd, bl_band *band);
+
+// The share of the variance of the signal itself that lies in the band, by its closed form: along
+// the same line, in the same slice or volume, without window, bins and folding. NAN if unknown, as
+// on a grid or on lattice planes.
+double bl_psd_exact_share(const bl_signal *signal, const bl_psd_settings *settings, double from,
+                          double to);
 
 // The verdict on a band limit.
 typedef struct bl_band_limit {

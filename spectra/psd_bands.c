@@ -15,6 +15,7 @@
 #include <stdlib.h>
 
 #include "spectra/psd_parts.h"
+#include "spectra/theory.h"
 
 // The part of a bin that lies in [from, to]. DC reaches from 0, the last bin ends at Nyquist.
 static double share_of_bin(const bl_psd *psd, size_t bin, double from, double to) {
@@ -125,7 +126,7 @@ bl_estimate bl_psd_band_share(const bl_psd *psd, double from, double to, int out
 
 void bl_psd_band(const bl_psd *psd, bl_band *band) {
     band->fraction = bl_psd_band_share(psd, band->from, band->to, 0, NULL, 1 - psd->settings.level);
-    band->theory = NAN;
+    band->theory = band->exact = NAN;
     if (!psd->theory)
         return;
     double all = *psd->theory_corners, in = share_of_corners(psd, band->to) * all;
@@ -135,4 +136,13 @@ void bl_psd_band(const bl_psd *psd, bl_band *band) {
         all += power;
     }
     band->theory = in / all;
+}
+
+double bl_psd_exact_share(const bl_signal *signal, const bl_psd_settings *settings, double from,
+                          double to) {
+    double directions[3][BL_AXES];
+    if (settings->place != BL_PLACE_RANDOM || signal->extent.size[0] ||
+        !bl_directions(settings->dims, settings->axis, directions))
+        return NAN;
+    return bl_theory_band(signal, settings->dims, directions, from, to);
 }

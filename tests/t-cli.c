@@ -3,6 +3,8 @@
 // The verbs: what they print, their JSON, their files, their exit status.
 #include "tests/test.h"
 
+#include "spectra/theory.h"
+
 #include <unistd.h>
 
 #include "noises/noise.h"
@@ -163,6 +165,27 @@ static void test_threads_and_instruction_sets_give_the_same_bits(void **state) {
         json_decref(other);
     }
     json_decref(first);
+}
+
+// Of a volume of wide bins: what the window makes of a share, and the share itself, which t-theory
+// holds against sums over the density.
+static void test_shares_have_an_exact_theory_beside_the_windowed_one(void **state) {
+    (void)state;
+    json_t *object = RUN_JSON(0, "spectrum", "gnoise", "--dims", "3", "--size", "32", "--average",
+                              "4", "--band", "0.3:0.7");
+    const json_t *band = json_array_get(json_object_get(object, "bands"), 0);
+    bl_signal *noise = NULL;
+    assert_int_equal(bl_noise_open("gnoise", BL_ISA_BEST, &noise, NULL), BL_OK);
+    double axes[3][BL_AXES] = {{1}, {0, 1}, {0, 0, 1}};
+    double exact = bl_theory_band(noise, 3, (const double(*)[BL_AXES])axes, 0.3, 0.7);
+    assert_near(bl_number_of(band, "theory_exact"), exact, 1e-12);
+    assert_less(bl_number_of(band, "theory"), exact - 0.02);
+    json_decref(object);
+    object = RUN_JSON(0, "spectrum", "gnoise", "--quick", "--place", "lattice");
+    band = json_array_get(json_object_get(object, "bands"), 0);
+    assert_true(json_is_null(json_object_get(band, "theory_exact")));
+    json_decref(object);
+    bl_signal_free(noise);
 }
 
 static void test_a_spectrum_keeps_its_sums(void **state) {
@@ -406,6 +429,7 @@ int main(void) {
         cmocka_unit_test(test_eval_of_nothing_is_nothing),
         cmocka_unit_test(test_seed_replaces_the_seed_of_the_signal),
         cmocka_unit_test(test_threads_and_instruction_sets_give_the_same_bits),
+        cmocka_unit_test(test_shares_have_an_exact_theory_beside_the_windowed_one),
         cmocka_unit_test(test_a_spectrum_keeps_its_sums),
         cmocka_unit_test(test_slices_and_volumes_have_rings),
         cmocka_unit_test(test_the_verdict_is_the_exit_status),
