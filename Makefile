@@ -129,9 +129,10 @@ $(BUILD)/bandlimit: $(PROGRAM_OBJECTS) $(BUILD)/libbandlimit.a
 	$(call say,link)
 	$(Q)$(CC) -fopenmp $(SANITIZE) $^ $(LDFLAGS) $(LIBS) -o $@
 
-# The folders as pkg-config wants them: below the prefix, so that it can be set anew.
+# The folders as pkg-config wants them: below the prefix, so that it can be set anew. What only
+# --static asks for is written out: to compile against the library, or a plugin, needs nothing else.
 PC = sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR:$(PREFIX)/%=$${prefix}/%)|; \
-    s|@VERSION@|$(VERSION)|' bandlimit.pc.in
+    s|@VERSION@|$(VERSION)|; s|@LIBS@|$(PACKAGE_LIBS)|' bandlimit.pc.in
 $(BUILD)/bandlimit.pc: bandlimit.pc.in core/version.h $(BUILD)/folders
 	@mkdir -p $(@D)
 	@$(PC) > $@
@@ -227,9 +228,11 @@ reproduce: deps
 bench: all
 	$(BUILD)/bandlimit bench
 
-# The tables that the program writes of itself; a test holds noises.md to it.
+# What the program writes of itself; tests hold noises.md and findings.md to it.
 docs: all
 	sh docs/tables.sh $(BUILD)/bandlimit noises > $(BUILD)/noises.md && mv $(BUILD)/noises.md docs/
+	$(BUILD)/bandlimit reproduce --quick -o $(BUILD)/findings; test $$? -le 1
+	sh docs/findings.sh $(BUILD)/findings > $(BUILD)/findings.md && mv $(BUILD)/findings.md docs/
 	sh docs/tables.sh $(BUILD)/bandlimit speeds > $(BUILD)/speeds.md && mv $(BUILD)/speeds.md docs/
 
 install: all $(BUILD)/installed/libbandlimit.a

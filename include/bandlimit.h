@@ -18,6 +18,8 @@
 //
 //   cc program.c $(pkg-config --cflags --libs bandlimit)
 //
+// The archive libbandlimit.a needs what it is made of besides: `pkg-config --static --libs`.
+//
 // This one header is all that a program needs; a noise of the user's own, as a shared object, needs
 // bandlimit_plugin.h and nothing else. The command line does the same with the same texts, so that
 // `bandlimit help` and `bandlimit show gnoise` explain them too. The library never prints, never

@@ -216,6 +216,23 @@ static void test_json_agrees_with_the_result(void **state) {
     }
 }
 
+// docs/findings.md is made from these very claims.
+static void test_the_findings_are_what_was_measured(void **state) {
+    (void)state;
+    char *command, *made = strdup(bl_temporary_path("findings.md"));
+    assert_true(asprintf(&command, "sh docs/findings.sh '%s' > '%s'", bl_temporary_path("first"),
+                         made) > 0);
+    assert_int_equal(system(command), 0);
+    char *expected = bl_temporary_read(made, NULL),
+         *found = bl_temporary_read("docs/findings.md", NULL);
+    if (strcmp(expected, found) != 0)
+        fail_msg("docs/findings.md is not what the figures found; run make docs:\n%s", expected);
+    free(command);
+    free(made);
+    free(expected);
+    free(found);
+}
+
 static const bl_figure_result *in_first_run(const bl_figure *figure) {
     for (size_t f = 0; f < first_run.count; f++)
         if (first_run.figures[f].figure == figure)
@@ -296,6 +313,7 @@ static void test_one_figure_alone_can_be_had_with_pdf(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_findings_are_what_was_measured),
         cmocka_unit_test(test_every_figure_of_the_registry_says_what_it_is),
         cmocka_unit_test(test_all_files_are_there_and_not_empty),
         cmocka_unit_test(test_data_files_have_comments_one_header_and_even_rows),

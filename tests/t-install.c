@@ -91,6 +91,16 @@ static void test_a_program_with_the_static_library_runs(void **state) {
         environment("CC", "cc"), environment("BL_SANITIZE", ""));
 }
 
+// With the installed .pc alone: to compile needs the packages of no other library.
+static void test_a_plugin_compiles_with_the_flags_of_pkg_config(void **state) {
+    (void)state;
+    run(NULL, 0,
+        "PKG_CONFIG_LIBDIR=$L/pkgconfig; export PKG_CONFIG_LIBDIR; cd $D && cp "
+        "\"$OLDPWD/examples/plugin/mynoise.c\" . && cc -fPIC -shared $(" PKG
+        " --cflags bandlimit) mynoise.c -o mynoise.so -lm && "
+        "$(find $D -name bandlimit -type f -perm -1) eval ./mynoise.so:waves 1 2 3");
+}
+
 static void test_the_example_measures(void **state) {
     (void)state;
     char says[2048];
@@ -180,6 +190,7 @@ int main(void) {
         cmocka_unit_test(test_a_program_in_c_compiles_and_runs),
         cmocka_unit_test(test_a_program_in_cpp_compiles_and_runs),
         cmocka_unit_test(test_a_program_with_the_static_library_runs),
+        cmocka_unit_test(test_a_plugin_compiles_with_the_flags_of_pkg_config),
         cmocka_unit_test(test_the_example_measures),
         cmocka_unit_test(test_the_header_compiles_alone),
         cmocka_unit_test(test_the_public_functions_are_exported_and_nothing_else),

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// A noise of your own as a plugin: the mean of 64 plane waves of random direction, phase and
+// A noise of your own as a plugin: the mean of 16 plane waves of random direction, phase and
 // frequency, the last between 0.5 and 1 cycles per unit. Its band is a fact of its construction.
 #include <math.h>
 #include <stdlib.h>
 
 #include "bandlimit_plugin.h"
 
-enum { WAVES = 64 };
+enum { WAVES = 16 };
 
 struct wave {
     double vector[3], phase; // cycles per unit; cycles
