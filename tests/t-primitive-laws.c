@@ -142,6 +142,41 @@ static void test_pulses_are_differences_of_steps(void **state) {
         bl_signal_free(all[i]);
 }
 
+// A place exactly on an edge belongs to what begins there: intervals are closed below and open above,
+// whatever the sign and the place, and a double next to the edge is on its own side. (The period is a
+// power of two, so that a place in periods is not rounded.)
+static void test_edges_belong_to_what_begins_there(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        double edge, before, from; // value just before, and from the edge on
+    } known[] = {
+        {"step:edge=0.75", 0.75, 0, 1},
+        {"step:edge=-3", -3, 0, 1},
+        {"pulse:low=0.25,high=0.625,period=inf", 0.25, 0, 1},
+        {"pulse:low=0.25,high=0.625,period=inf", 0.625, 1, 0},
+        {"pulse:low=0.25,high=0.625,period=4", 0.25, 0, 1},
+        {"pulse:low=0.25,high=0.625,period=4", 0.625, 1, 0},
+        {"pulse:low=0.25,high=0.625,period=4", -3.375, 1, 0},
+        {"pulse:low=0.25,high=0.625,period=4", 300.25, 0, 1},
+        {"pulse:low=0.625,high=0.25,period=inf", 0.25, 0, -1},
+        {"pulse:low=0.625,high=0.25,period=inf", 0.625, -1, 0},
+        {"floor", 5, 4, 5},
+        {"floor", -5, -6, -5},
+        {"floor", -1, -2, -1},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        bl_signal *signal = open_text(known[i].text);
+        double below = nextafter(known[i].edge, -INFINITY);
+        double above = nextafter(known[i].edge, INFINITY);
+        double seen[3] = {at(signal, below), at(signal, known[i].edge), at(signal, above)};
+        if (seen[0] != known[i].before || seen[1] != known[i].from || seen[2] != known[i].from)
+            fail_msg("%s about %g: %g, %g, %g", known[i].text, known[i].edge, seen[0], seen[1],
+                     seen[2]);
+        bl_signal_free(signal);
+    }
+}
+
 static void test_smoothstep_is_symmetric_and_level_at_its_ends(void **state) {
     bl_signal *up = open_text("smoothstep:low=-1,high=3"),
               *down = open_text("smoothstep:low=3,high=-1");
@@ -434,6 +469,7 @@ int main(void) {
         cmocka_unit_test(test_floor_and_ceiling_mirror_each_other),
         cmocka_unit_test(test_clamp_min_and_max_are_made_of_each_other),
         cmocka_unit_test(test_pulses_are_differences_of_steps),
+        cmocka_unit_test(test_edges_belong_to_what_begins_there),
         cmocka_unit_test(test_smoothstep_is_symmetric_and_level_at_its_ends),
         cmocka_unit_test(test_gamma_and_bias_have_their_inverses),
         cmocka_unit_test(test_gain_is_symmetric_about_its_middle),
