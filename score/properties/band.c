@@ -40,6 +40,8 @@ static const double CLAIM_MARGIN_DB = 1;
 static const double LENGTH = 128;
 static const double IDEAL_TO = 1, IDEAL_LEAK_DB = -30, FLOOR_DB = -80;
 
+// A second look for the smear takes lines that are so many times longer.
+enum { LONGER = 4 };
 // A claim about a sharp edge takes lines that are so many times longer, and as many fewer.
 enum { SHARP = 16 };
 
@@ -205,8 +207,8 @@ static int prepare_second_look(const bl_psd *psd, const band_claim *claim,
     needed = needed > 4 * averages ? needed : 4 * averages;
     wanted->averages = needed < most ? needed : most;
     if (limit.needed_size) {
-        wanted->averages = averages;
-        wanted->size *= BL_PSD_LONGER;
+        wanted->averages = averages * (size_t)bl_size_pick(settings->size, 4, 1, 1);
+        wanted->size *= LONGER;
     }
     return 1;
 }
@@ -275,7 +277,10 @@ static int has_way(const bl_signal *signal, way which) {
 
 static bl_status measure(const bl_score_subject *subject, const bl_score_settings *settings,
                          bl_score_property *result, bl_message *message) {
-    const bl_signal *signal = subject->signal;
+    // What is judged is the measurement alone: the closed form of long lines would take longer.
+    bl_signal plain = *subject->signal;
+    plain.closed_form = 0;
+    const bl_signal *signal = &plain;
     band_claim claim = claim_of(signal);
     bl_score_judge(result, BL_VERDICT_NOT_RUN, claim.against, "nothing was measured");
     if (!bl_score_varies(signal, settings, result))

@@ -17,8 +17,12 @@ void bl_score_image(const bl_score_map *map, const double at[BL_AXES], double im
 }
 
 void bl_score_exact_place(const bl_score_look *look, bl_random *random, double at[BL_AXES]) {
+    // Near 0, or anywhere in some thousand cells: what is found for a cell may be a small part of a
+    // pattern, which looks the same all over the near places.
+    const uint64_t range = bl_random_bits(random) & 1 ? 16 : 2048;
     for (int a = 0; a < BL_AXES; a++)
-        at[a] = look->cell * ((double)(bl_random_bits(random) % 8192) / 256 - 16);
+        at[a] =
+            look->cell * ((double)(bl_random_bits(random) % (512 * range)) / 256 - (double)range);
 }
 
 int bl_score_is_nearly_constant(const bl_signal *signal, const bl_score_look *look,

@@ -3,7 +3,7 @@
 // Whether a signal takes the same values at a place and at the image of that place under a map: a
 // shift, a mirror, an exchange of axes.
 //
-// Places are multiples of 2^-8 cells within 16 cells of 0, so that a whole number of cells is added
+// Places are multiples of 2^-8 cells within 16 or 2048 cells of 0, so that a whole number of cells is added
 // exactly; far shifts are also tried at eighths, quarters, halves and whole cells, for functions of
 // float coordinates have no others there. The values are the same where the double reference gives
 // them to 10^-6 of the range, at BL_SAME_PLACES places or more, at six of which it differs from the
@@ -15,8 +15,8 @@
 
 #include "score/properties/places.h"
 
-#define BL_SAME 1e-6 // of the range
-enum { BL_SAME_PLACES = 24 };
+#define BL_SAME 1e-6            // of the range
+enum { BL_SAME_PLACES = 1024 }; // so many, for two values alone agree at one of ten by chance
 
 // Component a of the image is sign[a] at[axis[a]] + shift[a], in units.
 typedef struct bl_score_map {
@@ -35,7 +35,7 @@ typedef enum bl_score_likeness {
 
 void bl_score_image(const bl_score_map *map, const double at[BL_AXES], double image[BL_AXES]);
 
-// A place near 0, a multiple of 2^-8 cells.
+// A place within 16 or 2048 cells of 0, a multiple of 2^-8 cells.
 void bl_score_exact_place(const bl_score_look *look, bl_random *random, double at[BL_AXES]);
 
 // Which maps leave the values at two places as they are, or turn them over, in floats, for all maps

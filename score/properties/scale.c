@@ -290,13 +290,14 @@ bl_score_scale bl_score_find_scale(const bl_signal *signal, const bl_score_setti
 // of correlation lengths in a cell.
 static const double MOST_CONSTANT = 0.95, MOST_APART = 32;
 
-// That a signal with a seed varies is what it states by having one.
+// That a user's function with a seed varies is what it states by having one; of the registry's some
+// are patterns on a constant ground.
 static void judge_constant(bl_score_property *result, const bl_signal *signal, double share) {
     snprintf(result->cell, sizeof result->cell, "constant");
-    bl_score_judge(result, BL_VERDICT_FAIL,
-                   signal->seed_offset == SIZE_MAX ? BL_AGAINST_IDEAL : BL_AGAINST_CLAIM,
-                   "it is constant almost everywhere: %.4g %% of the places have one value",
-                   100 * share);
+    bl_score_judge(
+        result, BL_VERDICT_FAIL,
+        signal->definition || signal->seed_offset == SIZE_MAX ? BL_AGAINST_IDEAL : BL_AGAINST_CLAIM,
+        "it is constant almost everywhere: %.4g %% of the places have one value", 100 * share);
 }
 
 static void judge_length(bl_score_property *result, const bl_score_scale *scale) {

@@ -33,7 +33,7 @@ static void fill_table(table *t) {
 }
 
 static void take_origin(const bl_signal *signal, const bl_score_look *look, bl_random *random,
-                        double *number) {
+                        double *number, double squares[2][NEAR]) {
     double column[BL_AXES][2 * NEAR] = {{0}};
     float value[2 * NEAR];
     for (unsigned a = 0; a < look->dimensions; a++) {
@@ -49,6 +49,8 @@ static void take_origin(const bl_signal *signal, const bl_score_look *look, bl_r
         double here = (double)value[i] - look->mean, there = (double)value[NEAR + i] - look->mean;
         number[2 * i] = here - there;
         number[2 * i + 1] = here * here - there * there;
+        squares[0][i] = here * here;
+        squares[1][i] = there * there;
     }
 }
 
@@ -99,11 +101,12 @@ bl_status bl_standing_measure(const bl_signal *signal, const bl_score_look *look
     const unsigned tests = AT_ORIGIN + 2 * WAVES * look->dimensions;
     table *t = malloc(sizeof *t);
     double(*number)[TESTS] = calloc(CHUNK, sizeof *number);
+    double squares[CHUNK][2][NEAR], sum[2][NEAR] = {{0}};
     bl_moments *moments = calloc(TESTS, sizeof *moments);
     bl_status status = t && number && moments
                            ? BL_OK
                            : bl_report(message, BL_DEVICE, "out of memory for %u waves", tests);
-    *found = (bl_standing){.tests = tests};
+    *found = (bl_standing){.tests = tests, .ratio = NAN};
     if (status == BL_OK)
         fill_table(t);
     for (size_t from = 0; status == BL_OK && from < count; from += CHUNK) {
@@ -112,13 +115,18 @@ bl_status bl_standing_measure(const bl_signal *signal, const bl_score_look *look
         for (size_t i = 0; i < now; i++) {
             bl_random random = bl_score_random(settings, "standing", from + i);
             bl_score_fresh fresh = bl_score_fresh_open(signal, bl_random_bits(&random));
-            take_origin(fresh.signal, look, &random, number[i]);
+            take_origin(fresh.signal, look, &random, number[i], squares[i]);
             take_rows(fresh.signal, look, t, number[i] + AT_ORIGIN);
             bl_score_fresh_close(&fresh);
         }
         for (size_t i = 0; i < now; i++)
             for (unsigned k = 0; k < tests; k++)
                 bl_moments_add(&moments[k], number[i][k]);
+        for (size_t i = 0; i < now; i++)
+            for (int n = 0; n < NEAR; n++) {
+                sum[0][n] += squares[i][0][n];
+                sum[1][n] += squares[i][1][n];
+            }
     }
     for (unsigned k = 0; status == BL_OK && k < tests; k++) {
         double error = sqrt(bl_moments_variance(&moments[k]) / moments[k].n);
@@ -127,6 +135,8 @@ bl_status bl_standing_measure(const bl_signal *signal, const bl_score_look *look
         double deviate = fabs(moments[k].mean) <= least ? 0 : moments[k].mean / error;
         if (fabs(deviate) > fabs(found->t) || isnan(deviate)) {
             found->t = deviate;
+            found->ratio =
+                k < AT_ORIGIN && k % 2 ? sum[0][k / 2] / sum[1][k / 2] : NAN; // of variances
             describe(k, look->cell, found);
         }
         if (isnan(deviate))

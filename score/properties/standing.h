@@ -19,6 +19,7 @@
 typedef struct bl_standing {
     double t;      // the largest, of `tests`
     double tests;  // how many there are
+    double ratio;  // where it is a variance at the origin, over that elsewhere; else NAN
     char what[96]; // it is: "the variance at the origin"
 } bl_standing;
 

@@ -249,6 +249,7 @@ static void judge(const survey *s, const batch *b, size_t count, const bl_standi
     // Half of alpha each for what stands still and for what does not: they are many more.
     double limit = bl_score_t_limit(0.5 * settings->alpha, 2.0 * s->kinds, count), largest = 0;
     double standing_limit = bl_score_t_limit(0.5 * settings->alpha, standing->tests, count);
+    char ratio_text[48] = "";
     int stands;
     unsigned worst = 0;
     char what[96];
@@ -282,14 +283,19 @@ static void judge(const survey *s, const batch *b, size_t count, const bl_standi
         largest = standing->t;
         limit = standing_limit;
         snprintf(what, sizeof what, "%s", standing->what);
+        if (isfinite(standing->ratio)) {
+            bl_score_add_seen(result, "origin_ratio", standing->ratio);
+            snprintf(ratio_text, sizeof ratio_text, ": it is %.2f times that elsewhere",
+                     standing->ratio);
+        }
     }
     if (isinf(largest)) // a seed that changes nothing, and cells that are all alike
         bl_score_judge(result, BL_VERDICT_FAIL, against,
                        "%s is the same number in every batch, %s that of all places", what,
                        largest > 0 ? "above" : "below");
     else if (fabs(largest) > limit)
-        bl_score_judge(result, BL_VERDICT_FAIL, against, "%s deviates by %.1f standard errors",
-                       what, largest);
+        bl_score_judge(result, BL_VERDICT_FAIL, against, "%s deviates by %.1f standard errors%s",
+                       what, largest, ratio_text);
     else
         bl_score_judge(result, BL_VERDICT_PASS, against,
                        "mean and variance are the same all over the cell, as far as %zu batches "

@@ -91,11 +91,13 @@ typedef struct search {
 static void consider(search *s, const double vector[BL_AXES]) {
     bl_score_map map = bl_score_identity;
     double length = length_of(vector), last = 0;
+    int parts = 0; // a vector along one axis is found by the walk along it
     for (int a = 0; a < BL_AXES; a++) {
         last = vector[a] != 0 ? vector[a] : last;
+        parts += vector[a] != 0;
         map.shift[a] = vector[a] * s->look->cell;
     }
-    if (!(last > 0) || is_known(vector, s->along) || s->compared >= MOST_COMPARED ||
+    if (parts < 2 || !(last > 0) || is_known(vector, s->along) || s->compared >= MOST_COMPARED ||
         (length_of(s->best) > 0 && length >= length_of(s->best)))
         return;
     s->compared++;
