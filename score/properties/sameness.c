@@ -82,6 +82,31 @@ static bl_score_likeness compare_at(const bl_signal *signal, const bl_score_look
     return BL_UNLIKE;
 }
 
+// Whether what holds at multiples of 2^-8 cells holds between them too: a chirp repeats on any such
+// grid. Not asked of a function whose coordinates are too coarse for other places, as floats are.
+static int holds_between(const bl_signal *signal, const bl_score_look *look,
+                         const bl_score_map *map, bl_score_likeness likeness, bl_random random) {
+    enum { BETWEEN = 64 };
+    int resolved = 0, wrong = 0;
+    double sum = NAN;
+    for (int i = 0; i < BETWEEN; i++) {
+        double at[BL_AXES], image[BL_AXES], beside[BL_AXES];
+        bl_score_exact_place(look, &random, at);
+        for (int a = 0; a < BL_AXES; a++)
+            at[a] += look->cell * (double)(bl_random_bits(&random) >> 40) * 0x1p-32;
+        bl_score_image(map, at, image);
+        for (int a = 0; a < BL_AXES; a++)
+            beside[a] = image[a] * (1 + 0x1p-30);
+        double here = bl_signal_value(signal, at), there = bl_signal_value(signal, image);
+        double slack = BL_SAME * look->range + 2 * bl_score_change_by_rounding(signal, look, image);
+        sum = isnan(sum) ? here + there : sum;
+        resolved += bl_signal_value(signal, beside) != there;
+        wrong += likeness == BL_LIKE ? !(fabs(there - here) <= slack)
+                                     : !(fabs(here + there - sum) <= slack);
+    }
+    return 2 * resolved < BETWEEN || wrong == 0;
+}
+
 bl_score_likeness bl_score_compare(const bl_signal *signal, const bl_score_look *look,
                                    const bl_score_map *map, int places, bl_random random) {
     static const int parts[] = {256, 8, 4, 2, 1};
@@ -92,7 +117,8 @@ bl_score_likeness bl_score_compare(const bl_signal *signal, const bl_score_look 
     bl_score_likeness found = BL_UNLIKE;
     for (int p = 0; p < (farthest >= 4096 * look->cell ? PARTS : 1) && found == BL_UNLIKE; p++)
         found = compare_at(signal, look, map, parts[p], places, random);
-    return found;
+    return found == BL_UNLIKE || holds_between(signal, look, map, found, random) ? found
+                                                                                 : BL_UNLIKE;
 }
 
 // --- the look at many maps ----------------------------------------------------------------------
