@@ -27,6 +27,7 @@ enum {
     DOUBLE,      // s and 2 s are one
     SHIFTED,     // the seed's low bits move the noise along y
     SHIFTED_TWO, // ... by two cells each
+    DIAGONAL,    // ... along y and against z
     SIGN,        // s and -s are one
     HALVES,      // the halves of the seed are added
     HIGH_HALF,   // the upper half is dead
@@ -37,9 +38,13 @@ enum {
 };
 
 static double shift_of(const block *b) {
-    return b->which == SHIFTED       ? (double)(b->seed & 0xff)
-           : b->which == SHIFTED_TWO ? 2 * (double)(b->seed & 0xff)
-                                     : 0;
+    return b->which == SHIFTED || b->which == DIAGONAL ? (double)(b->seed & 0xff)
+           : b->which == SHIFTED_TWO                   ? 2 * (double)(b->seed & 0xff)
+                                                       : 0;
+}
+
+static double against(const block *b) {
+    return b->which == DIAGONAL ? shift_of(b) : 0;
 }
 
 static double share_of(const block *b) {
@@ -56,7 +61,7 @@ static uint64_t bent(const block *b) {
         return s >> 63 ? ~s : s;
     if (b->which == DOUBLE)
         return s ? s >> __builtin_ctzll(s) : 0;
-    if (b->which == SHIFTED || b->which == SHIFTED_TWO)
+    if (b->which == SHIFTED || b->which == SHIFTED_TWO || b->which == DIAGONAL)
         return s >> 8;
     if (b->which == SIGN)
         return s >> 63 ? 0 - s : s;
@@ -73,7 +78,7 @@ static uint64_t added(const block *b) {
 
 static double value(const void *parameters, const double at[BL_AXES]) {
     const block *b = parameters;
-    const double place[BL_AXES] = {at[0], at[1] + shift_of(b), at[2], 0};
+    const double place[BL_AXES] = {at[0], at[1] + shift_of(b), at[2] - against(b), 0};
     double sign = b->which == NEGATIVE && b->seed >> 63 ? -1 : 1;
     return sign * bl_signal_value(b->main, place) + share_of(b) * bl_signal_value(b->added, place);
 }
@@ -82,12 +87,12 @@ static void points(const void *parameters, const double *const at[BL_AXES], size
                    float *out) {
     const block *b = parameters;
     for (size_t from = 0, n; from < count; from += n) {
-        double y[BL_BATCH];
+        double y[BL_BATCH], z[BL_BATCH];
         float other[BL_BATCH];
         n = count - from < BL_BATCH ? count - from : BL_BATCH;
         for (size_t i = 0; i < n; i++)
-            y[i] = at[1][from + i] + shift_of(b);
-        const double *const moved[BL_AXES] = {at[0] + from, y, at[2] + from, at[3] + from};
+            y[i] = at[1][from + i] + shift_of(b), z[i] = at[2][from + i] - against(b);
+        const double *const moved[BL_AXES] = {at[0] + from, y, z, at[3] + from};
         bl_signal_points(b->main, moved, n, out + from);
         bl_signal_points(b->added, moved, n, other);
         float sign = b->which == NEGATIVE && b->seed >> 63 ? -1 : 1;
@@ -170,8 +175,9 @@ static void test_each_relation_is_named(void **state) {
     (void)state;
     check(NEGATIVE, 1, BL_VERDICT_FAIL, "each other's complement are related: r = -");
     check(DOUBLE, 1, BL_VERDICT_FAIL, "double each other");
-    check(SHIFTED, 1, BL_VERDICT_FAIL, "cells along y");
-    check(SHIFTED_TWO, 1, BL_VERDICT_FAIL, "cells along y");
+    check(SHIFTED, 1, BL_VERDICT_FAIL, "cells away");
+    check(SHIFTED_TWO, 1, BL_VERDICT_FAIL, "2, +0) cells away");
+    check(DIAGONAL, 1, BL_VERDICT_FAIL, "cells away");
     check(SIGN, 1, BL_VERDICT_FAIL, "differ by the sign");
     check(HALVES, 1, BL_VERDICT_FAIL, "have exchanged halves");
     check(HIGH_HALF, 1, BL_VERDICT_FAIL,
