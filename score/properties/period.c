@@ -241,9 +241,10 @@ static bl_status measure_axis(const walk *w, axis_result *r, bl_message *message
     return measure_line(w, w->settings->alpha / w->look->dimensions, &r->line, message);
 }
 
-// The verdict on the repeats: against the claim if any axis has one.
-static void judge_repeats(const axis_result *r, unsigned axes, double cell, int *is_stated,
-                          bl_score_property *result) {
+// The verdict on the repeats: against the claim if any axis has one. A tile of a file states how
+// large it is, and not that it is the smallest.
+static void judge_repeats(const axis_result *r, unsigned axes, double cell, int is_tile,
+                          int *is_stated, bl_score_property *result) {
     *is_stated = 1;
     for (unsigned a = 0; a < axes; a++)
         *is_stated = *is_stated && !isnan(r[a].stated);
@@ -253,8 +254,8 @@ static void judge_repeats(const axis_result *r, unsigned axes, double cell, int 
             bl_score_judge(result, BL_VERDICT_FAIL, against,
                            "states a period of %.10g along %c: no", r[a].stated * cell, "xyzw"[a]);
         else if (r[a].repeat > 0 && !(r[a].repeat >= r[a].stated && r[a].stated > 0))
-            bl_score_judge(result, BL_VERDICT_FAIL, against, "repeats after %.10g along %c; %s",
-                           r[a].repeat * cell, "xyzw"[a],
+            bl_score_judge(result, BL_VERDICT_FAIL, is_tile ? BL_AGAINST_IDEAL : against,
+                           "repeats after %.10g along %c; %s", r[a].repeat * cell, "xyzw"[a],
                            isnan(r[a].stated) ? "nothing is stated"
                            : r[a].stated > 0  ? "more is stated"
                                               : "no period is stated");
@@ -286,7 +287,7 @@ static void judge_vector(const double vector[BL_AXES], unsigned axes, double cel
 }
 
 static void judge(const axis_result *r, unsigned axes, double cell, const double vector[BL_AXES],
-                  bl_score_property *result) {
+                  int is_tile, bl_score_property *result) {
     double reach = INFINITY;
     static const char *const repeat_names[] = {"repeat_x", "repeat_y", "repeat_z", "repeat_w"};
     double smallest = INFINITY;
@@ -310,7 +311,7 @@ static void judge(const axis_result *r, unsigned axes, double cell, const double
         snprintf(result->cell, sizeof result->cell, "none");
     else
         snprintf(result->cell, sizeof result->cell, "%.10g", smallest);
-    judge_repeats(r, axes, cell, &is_stated, result);
+    judge_repeats(r, axes, cell, is_tile, &is_stated, result);
     judge_vector(vector, axes, cell, result);
     if (result->verdict == BL_VERDICT_FAIL)
         return;
@@ -360,7 +361,9 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
         bl_score_find_vector(subject->signal, &look, settings, along, vector, message);
     if (status != BL_OK)
         return bl_score_no_memory(result, message);
-    judge(axes, look.dimensions, look.cell, vector, result);
+    const bl_signal *signal = subject->signal;
+    int is_tile = !signal->definition && signal->seed_offset == SIZE_MAX;
+    judge(axes, look.dimensions, look.cell, vector, is_tile, result);
     return BL_OK;
 }
 

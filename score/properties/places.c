@@ -66,7 +66,7 @@ int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *s
     if (look->range <= 32 * 0x1p-24 * (isfinite(size) ? size : 0)) {
         if (bl_score_varies(signal, settings, result))
             bl_score_judge(result, BL_VERDICT_NOT_RUN, BL_AGAINST_IDEAL,
-                           "the signal is the constant %g", lower);
+                           "all values at %d places are %g", (int)LOOKS, lower);
         return 0;
     }
     return 1;

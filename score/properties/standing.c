@@ -96,8 +96,8 @@ static void describe(unsigned test, double cell, bl_standing *found) {
 }
 
 bl_status bl_standing_measure(const bl_signal *signal, const bl_score_look *look,
-                              const bl_score_settings *settings, size_t count, bl_standing *found,
-                              bl_message *message) {
+                              const bl_score_settings *settings, size_t count, double alpha,
+                              bl_standing *found, bl_message *message) {
     const unsigned tests = AT_ORIGIN + 2 * WAVES * look->dimensions;
     table *t = malloc(sizeof *t);
     double(*number)[TESTS] = calloc(CHUNK, sizeof *number);
@@ -128,7 +128,10 @@ bl_status bl_standing_measure(const bl_signal *signal, const bl_score_look *look
                 sum[1][n] += squares[i][1][n];
             }
     }
+    const double limit = bl_score_t_limit(alpha, tests, count);
     for (unsigned k = 0; status == BL_OK && k < tests; k++) {
+        if (k == AT_ORIGIN && fabs(found->t) > limit)
+            break;
         double error = sqrt(bl_moments_variance(&moments[k]) / moments[k].n);
         // A row of whole repeats has no odd waves but those of rounding, which are no chance.
         double least = k < AT_ORIGIN ? 0 : 1e-6 * ROW;

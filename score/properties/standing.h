@@ -17,16 +17,17 @@
 #include "score/properties/places.h"
 
 typedef struct bl_standing {
-    double t;      // the largest, of `tests`
+    double t;      // the largest, of `tests`; at the origin if that is beyond its limit
     double tests;  // how many there are
     double ratio;  // where it is a variance at the origin, over that elsewhere; else NAN
     char what[96]; // it is: "the variance at the origin"
 } bl_standing;
 
 // The largest deviate of `count` batches of a signal with a seed; NaN where a value is not finite.
+// The origin comes first: waves of a lattice whose cell is not stated are many and larger.
 // Errors: BL_DEVICE out of memory.
 bl_status bl_standing_measure(const bl_signal *signal, const bl_score_look *look,
-                              const bl_score_settings *settings, size_t count, bl_standing *found,
-                              bl_message *message);
+                              const bl_score_settings *settings, size_t count, double alpha,
+                              bl_standing *found, bl_message *message);
 
 #endif

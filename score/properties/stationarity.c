@@ -249,7 +249,7 @@ static void judge(const survey *s, const batch *b, size_t count, const bl_standi
     // Half of alpha each for what stands still and for what does not: they are many more.
     double limit = bl_score_t_limit(0.5 * settings->alpha, 2.0 * s->kinds, count), largest = 0;
     double standing_limit = bl_score_t_limit(0.5 * settings->alpha, standing->tests, count);
-    char ratio_text[48] = "";
+    char also[160] = "";
     int stands;
     unsigned worst = 0;
     char what[96];
@@ -268,6 +268,8 @@ static void judge(const survey *s, const batch *b, size_t count, const bl_standi
     }
     stands = standing->tests > 0 && !(fabs(largest) > limit) &&
              fabs(standing->t) / standing_limit > fabs(largest) / limit;
+    if (!stands && standing->tests > 0 && fabs(standing->t) > standing_limit)
+        snprintf(also, sizeof also, "; and %s by %.1f", standing->what, standing->t);
     double ratio = add_variances(s, b, count, settings->level, room, result);
     bl_score_add_seen(result, "largest_deviate", largest);
     bl_score_add_seen(result, "limit_deviate", limit);
@@ -285,8 +287,7 @@ static void judge(const survey *s, const batch *b, size_t count, const bl_standi
         snprintf(what, sizeof what, "%s", standing->what);
         if (isfinite(standing->ratio)) {
             bl_score_add_seen(result, "origin_ratio", standing->ratio);
-            snprintf(ratio_text, sizeof ratio_text, ": it is %.2f times that elsewhere",
-                     standing->ratio);
+            snprintf(also, sizeof also, ": it is %.2f times that elsewhere", standing->ratio);
         }
     }
     if (isinf(largest)) // a seed that changes nothing, and cells that are all alike
@@ -295,7 +296,7 @@ static void judge(const survey *s, const batch *b, size_t count, const bl_standi
                        largest > 0 ? "above" : "below");
     else if (fabs(largest) > limit)
         bl_score_judge(result, BL_VERDICT_FAIL, against, "%s deviates by %.1f standard errors%s",
-                       what, largest, ratio_text);
+                       what, largest, also);
     else
         bl_score_judge(result, BL_VERDICT_PASS, against,
                        "mean and variance are the same all over the cell, as far as %zu batches "
@@ -322,7 +323,8 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     bl_standing standing = {0};
     bl_status status = BL_OK;
     if (s.regions)
-        status = bl_standing_measure(subject->signal, &look, settings, count, &standing, message);
+        status = bl_standing_measure(subject->signal, &look, settings, count, 0.5 * settings->alpha,
+                                     &standing, message);
     batch *batches = malloc(count * sizeof *batches);
     double *room = malloc(2 * count * sizeof *room);
     if (batches && room && status == BL_OK) {
