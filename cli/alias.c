@@ -159,7 +159,7 @@ static void print_table(FILE *out, const bl_signal *signal, const bl_view *view,
     bl_table_print(&rows, out);
     fputs(
         "\nalias, blur, mse and flicker are squares of the luminance; ns is ns_per_sample, of a "
-        "pixel;\n--json has the intervals\n",
+        "pixel;\nwhat stands after < is an upper limit; --json has the intervals\n",
         out);
 }
 

@@ -75,13 +75,13 @@ static void file_name(const char *method, const char *more, char *name, size_t s
 #define AT(member) .offset = offsetof(bl_alias_row, member)
 static const bl_field fields[] = {
     {"filter", "method", BL_CELL_WORD, AT(method)},
-    {"alias", "alias", BL_CELL_ESTIMATE, AT(alias), .digits = 3},
-    {"blur", "blur", BL_CELL_ESTIMATE, AT(blur), .digits = 3},
+    {"alias", "alias", BL_CELL_ESTIMATE, AT(alias), .digits = 3, .is_power = 1},
+    {"blur", "blur", BL_CELL_ESTIMATE, AT(blur), .digits = 3, .is_power = 1},
     {"mse", "mse", BL_CELL_ESTIMATE, AT(mse), .digits = 3},
     {"psnr_db", "psnr db", BL_CELL_REAL, AT(psnr_db)},
     {"ssim", "ssim", BL_CELL_ESTIMATE, AT(ssim), .decimals = 4},
     {"max_error", "largest", BL_CELL_REAL, AT(max_error), .digits = 3},
-    {"flicker", "flicker", BL_CELL_ESTIMATE, AT(flicker), .digits = 3},
+    {"flicker", "flicker", BL_CELL_ESTIMATE, AT(flicker), .digits = 3, .is_power = 1},
     {"pops", NULL, BL_CELL_REAL, AT(pops)},
     {"ns_per_sample", "ns", BL_CELL_ESTIMATE, AT(ns_per_sample)},
     {"samples_per_pixel", NULL, BL_CELL_REAL, AT(samples)},

@@ -128,6 +128,11 @@ const char *bl_cell_text(const bl_field *field, bl_cell *cell) {
         return "-";
     if (cell->kind == BL_CELL_WORD)
         return cell->word;
+    if (cell->kind == BL_CELL_ESTIMATE && field->is_power && cell->value <= 0 && cell->upper > 0) {
+        snprintf(cell->text, sizeof cell->text, "<");
+        add_number(cell->text, sizeof cell->text, field, cell->upper);
+        return cell->text;
+    }
     if (cell->kind == BL_CELL_VERDICT)
         return bl_verdict_word(cell->verdict);
     if (cell->kind == BL_CELL_FLAG)

@@ -84,8 +84,10 @@ typedef struct bl_field {
                         // level of the table; NULL: told in CSV and JSON alone
     int bare_limits;    // their keys are `lower` and `upper`, and not KEY_lower and KEY_upper
     int forms;          // BL_IN_TEXT and so on; 0: all
-    int optional;       // no column for it in CSV and JSON if no row has it, as in text always
-    int absent;         // the JSON of a row without it has no such key, and not null
+    int is_power; // BL_CELL_ESTIMATE: never below 0; an estimate that is not above 0 is told in
+                  // words by its upper limit, as <0.01
+    int optional; // no column for it in CSV and JSON if no row has it, as in text always
+    int absent;   // the JSON of a row without it has no such key, and not null
 } bl_field;
 
 struct bl_table {
