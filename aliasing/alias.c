@@ -70,8 +70,8 @@ static bl_status out_of_memory(bl_message *message) {
 
 // --- alias and blur -----------------------------------------------------------------------------
 
-// The scene of a replicate: with a signal of another seed, where there is one, and at another depth.
-// What is made is to be freed; the scene looks through `view`.
+// The scene of a replicate: with a signal of another seed, where there is one, and at another
+// depth. What is made is to be freed; the scene looks through `view`.
 static bl_scene reseeded(const bl_scene *scene, uint64_t replicate, bl_view *view,
                          bl_signal **made) {
     bl_scene fresh = *scene;

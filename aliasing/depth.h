@@ -13,8 +13,9 @@
 #include "aliasing/view.h"
 #include "core/signal.h"
 
-// A random place along an axis: whole ten-thousandths of the signal's cell (of a unit, where none is
-// stated) below 64 cells, so that it can be written down and asked for. An image has a depth of 0.
+// A random place along an axis: whole ten-thousandths of the signal's cell (of a unit, where none
+// is stated) below 64 cells, so that it can be written down and asked for. An image has a depth of
+// 0.
 double bl_depth_place(const bl_signal *signal, unsigned axis, uint64_t seed);
 
 // Whether the view runs along no part of this axis of the signal.

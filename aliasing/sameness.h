@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Is there anything to see? Where a signal has one value in all of the image, every method is right,
-// and none can be judged.
+// Is there anything to see? Where a signal has one value in all of the image, every method is
+// right, and none can be judged.
 #ifndef BL_ALIASING_SAMENESS_H
 #define BL_ALIASING_SAMENESS_H
 

@@ -75,8 +75,8 @@ void bl_view_close(bl_view *view);
 // What the view sees at a place of its image; 0 for nothing. Thread-safe.
 int bl_view_see(const bl_view *view, double x, double y, bl_sight *sight);
 
-// The centres of the pixels from number `first` on, row by row: up to BL_BATCH, as many as there are,
-// which is what it returns.
+// The centres of the pixels from number `first` on, row by row: up to BL_BATCH, as many as there
+// are, which is what it returns.
 size_t bl_view_pixels(const bl_view *view, size_t first, double x[BL_BATCH], double y[BL_BATCH]);
 
 // Names the descriptor of a view file: BL_VIEW_DESCRIPTOR(plane) = {...};

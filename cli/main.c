@@ -39,7 +39,8 @@ static void ignore_broken_pipes(void) {
     pipe_signal_is_default = before.sa_handler == SIG_DFL;
 }
 
-// Whether stdout is a pipe that nobody reads any more. A write that failed long ago has left no errno.
+// Whether stdout is a pipe that nobody reads any more. A write that failed long ago has left no
+// errno.
 static int reader_has_gone(void) {
     struct pollfd out = {.fd = STDOUT_FILENO, .events = POLLOUT};
     return poll(&out, 1, 0) == 1 && out.revents & POLLERR;

@@ -109,8 +109,8 @@ static void settle_range(const bl_signal *signal, slice_view *view) {
     }
 }
 
-// The axes that --at does not name: a solid noise is seen at a random depth, since its lattice planes
-// are unlike all else; what a picture shows is not moved.
+// The axes that --at does not name: a solid noise is seen at a random depth, since its lattice
+// planes are unlike all else; what a picture shows is not moved.
 static void settle_depth(const bl_call *call, const bl_signal *signal, const bl_picture *picture,
                          slice_view *view) {
     const render_settings *settings = call->settings;

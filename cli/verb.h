@@ -107,9 +107,9 @@ bl_status bl_call_open_seeded(bl_call *call, bl_signal **signal);
 // Threads to use: what --threads says, or what OpenMP gives.
 int bl_call_threads(const bl_call *call);
 
-// Warns on standard error, unless --quiet is given, and in the member `warnings` of the JSON object.
-// What was said already is not said again. bl_call_may_warn gives the object that member, which
-// stays empty where all is well.
+// Warns on standard error, unless --quiet is given, and in the member `warnings` of the JSON
+// object. What was said already is not said again. bl_call_may_warn gives the object that member,
+// which stays empty where all is well.
 void bl_call_may_warn(bl_call *call);
 void bl_call_warn(bl_call *call, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

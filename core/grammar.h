@@ -35,9 +35,9 @@ const char *bl_spec_get(const bl_spec *spec, const char *key);
 // Sets a key to a value, in its place or at the end; the columns are then those of no text. Errors:
 // BL_DEVICE out of memory.
 bl_status bl_spec_set(bl_spec *spec, const char *key, const char *value, bl_message *message);
-// Adds a signal within: key=NAME, and each of the settings of its text as key.KEY=VALUE, at the end.
-// Errors: BL_USAGE for a text that cannot be read, BL_DEVICE out of memory; what was added before
-// stays.
+// Adds a signal within: key=NAME, and each of the settings of its text as key.KEY=VALUE, at the
+// end. Errors: BL_USAGE for a text that cannot be read, BL_DEVICE out of memory; what was added
+// before stays.
 bl_status bl_spec_nest(bl_spec *spec, const char *key, const char *nested, bl_message *message);
 // The text of a spec, which the caller frees; NULL if out of memory.
 char *bl_spec_text(const bl_spec *spec);

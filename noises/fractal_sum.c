@@ -10,8 +10,8 @@
 //   min     frequency of the first octave, cells of the basis a unit, 1/256 to 4096; default 1
 //   max     octaves end below it, 1/256 to 4096; default 16; the sum is 0 if max <= min
 //   seeds   fresh: each octave has its own numbers; same: all have those of the seed, as in the
-//           text, and meet at the origin, where the sum is the basis times the sum of the 1/f: 1.875
-//           times, and its variance 2.65 times that elsewhere; default same
+//           text, and meet at the origin, where the sum is the basis times the sum of the 1/f,
+//           1.875, and its variance 2.65 times that elsewhere; default same
 //   width   units between samples, 0 to inf; default 0, which keeps all octaves
 //   clamp   fade, hard or none: how octaves beyond 1/(2 width) go (noises/octaves/octaves.h); what
 //           goes leaves the mean of the basis, which is 0 for most

@@ -95,7 +95,8 @@ void bl_run_plot(bl_run *run, const char *name, const bl_plot *plot, const char 
 // settings become attributes.
 const char *bl_run_image(bl_run *run, const char *name, const bl_image *image);
 
-// Keeps a warning for the page, JSON and whoever runs the figure. `text` may be made by bl_run_text.
+// Keeps a warning for the page, JSON and whoever runs the figure. `text` may be made by
+// bl_run_text.
 void bl_run_warn(bl_run *run, const char *text);
 
 // Judges a claim and keeps it. Its texts are not copied: literals, or made by bl_run_text.

@@ -123,10 +123,11 @@ typedef struct bl_band {
     double exact;         // the closed form's own share; NAN if unknown
 } bl_band;
 
-// Fills fraction and theory of a band from the profiles, which the window has smeared, so that it is
-// `theory` that the interval of the fraction covers: `exact` is another number where bins are wide,
-// as in a volume of 64 samples an axis (bl_psd_exact_share); here it is NAN. Bins cut by an edge count in proportion.
-// The corners count where `to` takes in all of them: from sqrt(dims) times Nyquist on.
+// Fills fraction and theory of a band from the profiles, which the window has smeared, so that it
+// is `theory` that the interval of the fraction covers: `exact` is another number where bins are
+// wide, as in a volume of 64 samples an axis (bl_psd_exact_share); here it is NAN. Bins cut by an
+// edge count in proportion. The corners count where `to` takes in all of them: from sqrt(dims)
+// times Nyquist on.
 void bl_psd_band(const bl_psd *psd, bl_band *band);
 
 // The share of the variance of the signal itself that lies in the band, by its closed form: along

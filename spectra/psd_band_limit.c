@@ -40,7 +40,8 @@ static bl_estimate leak_beyond(const bl_psd *psd, const bl_band_limit *limit, do
 // share a line is nearer than a two-thousandth of a bin, and counts as on the edge.
 static const double ON_EDGE = 1e-3;
 
-// How much of an average's power near an edge is that of a line on the edge, less what does not fit.
+// How much of an average's power near an edge is that of a line on the edge, less what does not
+// fit.
 static double line_on_edge(const bl_psd *psd, size_t average, double edge) {
     const bl_window window = psd->settings.window;
     const double *power = psd->profiles + average * (psd->count + 1);

@@ -171,8 +171,8 @@ bl_status bl_psd_check_parseval(const bl_psd *psd, bl_message *message);
 // --- bands ---
 
 // The share in the band or outside of it, with its interval, which misses the truth with the
-// probability `missed`, on both sides together. `less`: power of each average that does not count in
-// that share, or NULL; it is not looked at where the averages are fewer than four.
+// probability `missed`, on both sides together. `less`: power of each average that does not count
+// in that share, or NULL; it is not looked at where the averages are fewer than four.
 bl_estimate bl_psd_band_share(const bl_psd *psd, double from, double to, int outside,
                               const double *less, double missed);
 

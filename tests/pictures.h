@@ -11,8 +11,8 @@
 #include "core/signal.h"
 
 // A random field that repeats: white noise under a Gaussian kernel. Its spectrum is the Gaussian
-// exp(-(2 pi f sigma)^2), whose sigma along the direction (from x towards y) is `stretch` times that
-// across; 0 and 1: none.
+// exp(-(2 pi f sigma)^2), whose sigma along the direction (from x towards y) is `stretch` times
+// that across; 0 and 1: none.
 typedef struct bl_test_tile {
     size_t width, height; // samples after which it repeats
     double sigma;         // samples; 0: white noise

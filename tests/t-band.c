@@ -272,9 +272,9 @@ static void test_a_line_near_an_edge_is_not_misjudged(void **state) {
     }
 }
 
-// A line on the edge belongs to the band. What is left of it, -40 dB and less, is what the side lobes
-// of its own mirror image at the negative frequency add to its shape. One that is a hundredth of a
-// bin off is near the edge and not on it.
+// A line on the edge belongs to the band. What is left of it, -40 dB and less, is what the side
+// lobes of its own mirror image at the negative frequency add to its shape. One that is a hundredth
+// of a bin off is near the edge and not on it.
 static void test_a_line_on_the_edge_belongs_to_the_band(void **state) {
     (void)state;
     static const double edges[] = {1, 1.03, 2.222, 3};
@@ -386,8 +386,8 @@ static verdicts count(const bl_signal *signal, double from, double to, double de
     return found;
 }
 
-// With the truth at the limit a pass is as false as a failure: each at most 5 % of the time, but for
-// the skewness of small powers, which adds 2 % at 32 averages (see above).
+// With the truth at the limit a pass is as false as a failure: each at most 5 % of the time, but
+// for the skewness of small powers, which adds 2 % at 32 averages (see above).
 static void test_a_verdict_on_the_stated_band_errs_rarely(void **state) {
     (void)state;
     static const struct {

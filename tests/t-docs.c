@@ -4,11 +4,11 @@
 // the generated table of noises is that of the registry, and every file that they link to exists.
 //
 // Commands are read from the documents alone. In a block between ``` lines a line "$ command" is
-// run, with what follows as its output: a line "..." stands for any lines, and what stands in a column
-// "ns" is a time and not compared. A program in C is written to a
-// file, and a block without "$ " is not run; a comment that readers do not see stands before them:
-// <!-- file: mine.c -->, <!-- not run: why -->. In the man page every line of EXAMPLES is run, and
-// the commands of the workflow's `run:` lines are.
+// run, with what follows as its output: a line "..." stands for any lines, and what stands in a
+// column "ns" is a time and not compared. A program in C is written to a file, and a block without
+// "$ " is not run; a comment that readers do not see stands before them: <!-- file: mine.c -->,
+// <!-- not run: why -->. In the man page every line of EXAMPLES is run, and the commands of the
+// workflow's `run:` lines are.
 #include "tests/test.h"
 
 #include <limits.h>

@@ -160,9 +160,9 @@ static void test_unit_and_normal_numbers_have_their_moments(void **state) {
     assert_near(bl_moments_variance(&normal), 1, limit * sqrt(2) / root);
 }
 
-// The streams of seeds are part of the definition of every noise. The numbers are the formulas in the
-// heads of core/hash.h and core/random.h, worked out with the unlimited integers of another language
-// (the constants from 60 digits of the roots):
+// The streams of seeds are part of the definition of every noise. The numbers are the formulas in
+// the heads of core/hash.h and core/random.h, worked out with the unlimited integers of another
+// language (the constants from 60 digits of the roots):
 //   G = int((sqrt(5) - 1)/2 2^64) | 1, R = int((sqrt(2) - 1) 2^64) | 1, all modulo 2^64
 //   mix(x): x ^= x >> 32; x *= G; x ^= x >> 29; x *= R; x ^= x >> 32
 //   stream(s, k) = mix(mix(s + G) ^ (k R + G)), bits(key, c) = mix(mix(c G) ^ key)

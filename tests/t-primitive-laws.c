@@ -142,9 +142,9 @@ static void test_pulses_are_differences_of_steps(void **state) {
         bl_signal_free(all[i]);
 }
 
-// A place exactly on an edge belongs to what begins there: intervals are closed below and open above,
-// whatever the sign and the place, and a double next to the edge is on its own side. (The period is a
-// power of two, so that a place in periods is not rounded.)
+// A place exactly on an edge belongs to what begins there: intervals are closed below and open
+// above, whatever the sign and the place, and a double next to the edge is on its own side. (The
+// period is a power of two, so that a place in periods is not rounded.)
 static void test_edges_belong_to_what_begins_there(void **state) {
     (void)state;
     static const struct {

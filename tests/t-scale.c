@@ -3,9 +3,9 @@
 // The property `scale`: the correlation length is that of the covariance, a lattice is found to its
 // last digit and none is seen where there is none, and what does not vary fails.
 //
-// Error rates: r is a mean of 256 products, so that a length is held to a factor of 1.5; the lattice
-// is a line that stands above its surroundings by chance in less than 1e-6 of all rows, and a cell
-// that is found has all its digits.
+// Error rates: r is a mean of 256 products, so that a length is held to a factor of 1.5; the
+// lattice is a line that stands above its surroundings by chance in less than 1e-6 of all rows, and
+// a cell that is found has all its digits.
 #include "tests/test.h"
 
 #include "core/hash.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The property `seeds`: a relation of the signals of any two related seeds is found, in whatever bit
-// it is, and good noises have none.
+// The property `seeds`: a relation of the signals of any two related seeds is found, in whatever
+// bit it is, and good noises have none.
 //
 // Error rates: a good noise fails with 1e-6 by definition; a relation of r = 0.2 in one bit stands
 // 6 standard deviations of a correlation of 768 products out, and is missed with less than 1e-2.
@@ -10,7 +10,7 @@
 #include "core/hash.h"
 #include "core/random.h"
 #include "noises/noise.h"
-#include "score/score.h"
+#include "tests/scores.h"
 #include "tests/texts.h"
 
 // gnoise of a seed that is bent, and a share of gnoise of another bent seed added to it.
@@ -138,22 +138,9 @@ static bl_signal *make(int which) {
     return signal;
 }
 
-static bl_score_property measure(const bl_signal *signal, uint64_t seed) {
-    bl_score_settings settings = bl_score_default_settings();
-    bl_score_subject subject = {.signal = signal};
-    bl_message message = {""};
-    static bl_score score;
-    const size_t index = bl_property_index("seeds");
-    settings.size = BL_QUICK;
-    settings.seed = seed;
-    if (bl_score_measure(&subject, &settings, UINT64_C(1) << index, &score, &message) != BL_OK)
-        fail_msg("%s: %s", signal->text, message.text);
-    return score.properties[index];
-}
-
 static void check(int which, uint64_t seed, bl_verdict verdict, const char *told) {
     bl_signal *signal = make(which);
-    bl_score_property found = measure(signal, seed);
+    bl_score_property found = bl_test_score(signal, "seeds", BL_QUICK, seed);
     if (found.verdict != verdict || !strstr(found.reason, told))
         fail_msg("case %d, seed %llu: %s: '%s' does not tell '%s'", which, (unsigned long long)seed,
                  bl_verdict_word(found.verdict), found.reason, told);

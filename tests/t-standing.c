@@ -9,23 +9,11 @@
 #include "tests/test.h"
 
 #include "noises/noise.h"
-#include "score/score.h"
+#include "tests/scores.h"
 #include "tests/texts.h"
 
-static bl_score_property measure(const bl_signal *signal, bl_size size) {
-    bl_score_settings settings = bl_score_default_settings();
-    bl_score_subject subject = {.signal = signal};
-    bl_message message = {""};
-    static bl_score score;
-    const size_t index = bl_property_index("stationarity");
-    settings.size = size;
-    if (bl_score_measure(&subject, &settings, UINT64_C(1) << index, &score, &message) != BL_OK)
-        fail_msg("%s: %s", signal->text, message.text);
-    return score.properties[index];
-}
-
 static void expect(const bl_signal *signal, bl_size size, bl_verdict verdict, const char *told) {
-    bl_score_property found = measure(signal, size);
+    bl_score_property found = bl_test_score(signal, "stationarity", size, 1);
     if (found.verdict != verdict || !strstr(found.reason, told))
         fail_msg("%s: %s: '%s' does not tell '%s'", signal->text, bl_verdict_word(found.verdict),
                  found.reason, told);
@@ -142,7 +130,7 @@ static void test_a_variance_that_changes_from_cell_to_cell_is_found(void **state
         signal->facts = bl_facts_unknown();
         signal->facts.cell = 1;
         signal->facts.stationary = 1;
-        bl_score_property found = measure(signal, BL_QUICK);
+        bl_score_property found = bl_test_score(signal, "stationarity", BL_QUICK, 1);
         // 128 cells hold no whole number of some waves: the nearest is told.
         const char *told = strstr(found.reason, "a wave of ");
         double length = told ? strtod(told + strlen("a wave of "), NULL) : 0;

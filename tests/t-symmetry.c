@@ -4,21 +4,9 @@
 // turn is named with the map, and one that only seems to be is not. There is no chance in it.
 #include "tests/test.h"
 
-#include "score/score.h"
+#include "tests/scores.h"
 #include "tests/test_signals.h"
 #include "tests/texts.h"
-
-static bl_score_property measure(const bl_signal *signal) {
-    bl_score_settings settings = bl_score_default_settings();
-    bl_score_subject subject = {.signal = signal};
-    bl_message message = {""};
-    static bl_score score;
-    const size_t index = bl_property_index("symmetry");
-    settings.size = BL_QUICK;
-    if (bl_score_measure(&subject, &settings, UINT64_C(1) << index, &score, &message) != BL_OK)
-        fail_msg("%s: %s", signal->text, message.text);
-    return score.properties[index];
-}
 
 static double at_place(const bl_signal *inner, double x, double y, double z) {
     return bl_signal_value(inner, (const double[BL_AXES]){x, y, z, 0});
@@ -102,7 +90,7 @@ static void test_a_field_that_is_its_own_image_is_named_with_the_map(void **stat
     bl_signal *inner = bl_test_open("gnoise:seed=5", BL_ISA_BEST);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         bl_signal *signal = bl_test_seen_through(inner, cases[i].view);
-        bl_score_property found = measure(signal);
+        bl_score_property found = bl_test_score(signal, "symmetry", BL_QUICK, 1);
         if (found.verdict != BL_VERDICT_FAIL || !strstr(found.reason, cases[i].told))
             fail_msg("case %zu: %s: '%s' does not tell '%s'", i, bl_verdict_word(found.verdict),
                      found.reason, cases[i].told);
@@ -134,7 +122,7 @@ static void test_a_field_that_is_not_its_own_image_passes(void **state) {
     bl_signal *inner = bl_test_open("gnoise:seed=5", BL_ISA_BEST);
     for (size_t i = 0; i < sizeof views / sizeof *views; i++) {
         bl_signal *signal = bl_test_seen_through(inner, views[i]);
-        bl_score_property found = measure(signal);
+        bl_score_property found = bl_test_score(signal, "symmetry", BL_QUICK, 1);
         if (found.verdict != BL_VERDICT_PASS)
             fail_msg("case %zu: %s", i, found.reason);
         bl_signal_free(signal);
@@ -146,7 +134,7 @@ static void test_no_noise_of_the_registry_is_its_own_image(void **state) {
     (void)state;
     for (size_t i = 0; i < bl_noise_count(); i++) {
         bl_signal *signal = bl_test_open(bl_noise_at(i, BL_ISA_BEST)->name, BL_ISA_BEST);
-        bl_score_property found = measure(signal);
+        bl_score_property found = bl_test_score(signal, "symmetry", BL_QUICK, 1);
         if (found.verdict == BL_VERDICT_FAIL)
             fail_msg("%s: %s", signal->text, found.reason);
         bl_signal_free(signal);
@@ -167,7 +155,7 @@ static void test_the_number_of_maps_is_that_of_the_group(void **state) {
                  {"gnoise:dims=4", 6, 4, 384}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         bl_signal *signal = bl_test_open(cases[i].text, BL_ISA_BEST);
-        bl_score_property found = measure(signal);
+        bl_score_property found = bl_test_score(signal, "symmetry", BL_QUICK, 1);
         const bl_score_number *maps = bl_score_find(&found, "maps");
         assert_non_null(maps);
         assert_near(maps->estimate.value,

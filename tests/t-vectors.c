@@ -4,21 +4,9 @@
 // them have none. There is no chance in it.
 #include "tests/test.h"
 
-#include "score/score.h"
+#include "tests/scores.h"
 #include "tests/test_signals.h"
 #include "tests/texts.h"
-
-static bl_score_property measure(const bl_signal *signal) {
-    bl_score_settings settings = bl_score_default_settings();
-    bl_score_subject subject = {.signal = signal};
-    bl_message message = {""};
-    static bl_score score;
-    const size_t index = bl_property_index("period");
-    settings.size = BL_QUICK;
-    if (bl_score_measure(&subject, &settings, UINT64_C(1) << index, &score, &message) != BL_OK)
-        fail_msg("%s: %s", signal->text, message.text);
-    return score.properties[index];
-}
 
 // The field repeats by the vector: whole vectors are taken off until the last of its parts that is
 // not 0 is within one of them.
@@ -39,7 +27,7 @@ static void check_vector(const bl_signal *inner, const double by[3], const char 
     for (int a = 0; a < 3; a++)
         vector[a] = by[a];
     bl_signal *signal = bl_test_seen_through(inner, repeated);
-    bl_score_property found = measure(signal);
+    bl_score_property found = bl_test_score(signal, "period", BL_QUICK, 1);
     if (found.verdict != BL_VERDICT_FAIL || !strstr(found.reason, told))
         fail_msg("%s: %s: '%s' does not tell it", told, bl_verdict_word(found.verdict),
                  found.reason);
@@ -89,7 +77,7 @@ static void test_a_period_of_a_function_of_floats_is_found(void **state) {
         period = ldexp(1, k);
         snprintf(told, sizeof told, "repeats after %.0f along y", period);
         bl_signal *signal = bl_test_seen_through(inner, of_floats);
-        bl_score_property found = measure(signal);
+        bl_score_property found = bl_test_score(signal, "period", BL_QUICK, 1);
         if (found.verdict != BL_VERDICT_FAIL || !strstr(found.reason, told))
             fail_msg("'%s' does not tell '%s'", found.reason, told);
         bl_signal_free(signal);
@@ -104,7 +92,7 @@ static void test_coinciding_floats_are_no_period(void **state) {
     bl_signal *inner = bl_test_open("gnoise:seed=5", BL_ISA_BEST);
     period = 0;
     bl_signal *signal = bl_test_seen_through(inner, of_floats);
-    bl_score_property found = measure(signal);
+    bl_score_property found = bl_test_score(signal, "period", BL_QUICK, 1);
     assert_int_equal(found.verdict, BL_VERDICT_PASS);
     if (!strstr(found.reason, "up to 2.1e+06 units, where") &&
         !strstr(found.reason, "up to 1.05e+06 units, where"))
@@ -117,7 +105,7 @@ static void test_no_noise_of_the_registry_repeats_by_a_vector(void **state) {
     (void)state;
     for (size_t i = 0; i < bl_noise_count(); i++) {
         bl_signal *signal = bl_test_open(bl_noise_at(i, BL_ISA_BEST)->name, BL_ISA_BEST);
-        bl_score_property found = measure(signal);
+        bl_score_property found = bl_test_score(signal, "period", BL_QUICK, 1);
         if (strstr(found.reason, "vector"))
             fail_msg("%s: %s", signal->text, found.reason);
         bl_signal_free(signal);

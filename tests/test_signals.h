@@ -28,8 +28,8 @@ bl_signal *bl_test_hat(uint64_t seed);
 // share a random variance.
 bl_signal *bl_test_flicker(double depth);
 
-// The inner signal, which stays the caller's, seen through a function of it and the place. It states
-// nothing, and its seed is fixed.
+// The inner signal, which stays the caller's, seen through a function of it and the place. It
+// states nothing, and its seed is fixed.
 typedef double bl_test_view(const bl_signal *inner, const double at[BL_AXES]);
 bl_signal *bl_test_seen_through(const bl_signal *inner, bl_test_view *view);
 

@@ -6,8 +6,9 @@
 
 #include "reports/measure.h"
 
-// One panel. Its places are those of a square about `at`, s to the right and t downwards, unless `see` says what stands at (x, y) in [-1, 1] (y upwards): it fills the
-// place, or gives 0 for the background, which is white.
+// One panel. Its places are those of a square about `at`, s to the right and t downwards, unless
+// `see` says what stands at (x, y) in [-1, 1] (y upwards): it fills the place, or gives 0 for the
+// background, which is white.
 typedef struct bl_shown {
     const char *key;           // of the file: letters, digits and '-'
     const char *title;         // of the panel

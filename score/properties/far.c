@@ -10,9 +10,10 @@
 // coordinates. And the variance over fresh seeds and places near 10^6 is compared with that near 0.
 // NaN and infinite coordinates must give NaN.
 //
-// Cells that overflow and floats that end break a noise at powers of two: the first coordinate where
-// the range breaks, where there is no number and where neighbours jump is told (overflow.h). What
-// lies within facts.far fails the claim; where nothing is stated, within 2^32 it fails the ideal.
+// Cells that overflow and floats that end break a noise at powers of two: the first coordinate
+// where the range breaks, where there is no number and where neighbours jump is told (overflow.h).
+// What lies within facts.far fails the claim; where nothing is stated, within 2^32 it fails the
+// ideal.
 //
 // Judged against facts.far, where it is stated: values stay distinct, by nine tenths of what they
 // are near 0, in every cell up to a quarter of it. Else against the ideal: by one half up to 10^6.

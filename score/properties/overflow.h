@@ -2,12 +2,12 @@
 //
 // Where a signal breaks far out: its cells overflow (2^31, 2^32), or its floats end (2^24, 2^53).
 //
-// At each power of two from 2^10 to 2^63, in units and in cells, with both signs, on each axis alone
-// and on all together, values are taken at the power itself, a cell below it, a little to either
-// side of both, and elsewhere in the cell: by points and by the reference. Three things are asked.
-// Is the value outside of the stated range (where none is stated, of nine times what is seen near
-// 0)? Is it no number? Do neighbours differ across the power, on two lines or more, by more than
-// eight times what they do elsewhere, nearer, and across the planes near 0?
+// At each power of two from 2^10 to 2^63, in units and in cells, with both signs, on each axis
+// alone and on all together, values are taken at the power itself, a cell below it, a little to
+// either side of both, and elsewhere in the cell: by points and by the reference. Three things are
+// asked. Is the value outside of the stated range (where none is stated, of nine times what is seen
+// near 0)? Is it no number? Do neighbours differ across the power, on two lines or more, by more
+// than eight times what they do elsewhere, nearer, and across the planes near 0?
 #ifndef BL_SCORE_PROPERTIES_OVERFLOW_H
 #define BL_SCORE_PROPERTIES_OVERFLOW_H
 

@@ -4,10 +4,10 @@
 //
 // Repeats. From one place, a row of steps of one cell along an axis tells every repeat within some
 // ten thousand cells; farther out the shifts 2^k, 3 2^k and 10^k cells are tried up to 2^40, and
-// what the signal states, also backwards and divided by small primes. When a shift is a repeat, says
-// sameness.h; a signal that hardly ever differs is not judged. Repeats by vectors across the axes are
-// sought too (vectors.h). Farther out than a function has distinct values there are no repeats to
-// find, and the reason says how far that is. There is no chance in it.
+// what the signal states, also backwards and divided by small primes. When a shift is a repeat,
+// says sameness.h; a signal that hardly ever differs is not judged. Repeats by vectors across the
+// axes are sought too (vectors.h). Farther out than a function has distinct values there are no
+// repeats to find, and the reason says how far that is. There is no chance in it.
 //
 // Lines. A mean that depends on the phase in the cell, or a long period, is a line in the spectrum:
 // all its power in one bin of a periodogram, however long. One long row along each axis, at 8

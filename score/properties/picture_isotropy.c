@@ -245,8 +245,8 @@ static double of_neighbours(const octave *o, const patch *p, int m, double compl
     return pairs > 0 ? sum / pairs : 0;
 }
 
-// |z| that a mean of patches of an isotropic picture passes with this probability, over its standard
-// error: of F(2, 2 (n - 1)), whose tail is (1 + F / (n - 1))^-(n - 1).
+// |z| that a mean of patches of an isotropic picture passes with this probability, over its
+// standard error: of F(2, 2 (n - 1)), whose tail is (1 + F / (n - 1))^-(n - 1).
 static double limit_of(double probability, double worth) {
     double n = worth - 1;
     return n >= 1 ? sqrt(n * (pow(probability, -1 / n) - 1)) : INFINITY;

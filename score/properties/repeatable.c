@@ -8,10 +8,10 @@
 // every axis and across them, near the origin and far away. The starts and steps of rows are
 // multiples of 2^-10, so that start + i*step is exact and a piece of a row has the places of the
 // whole. Special places (special.h) are asked for as points, and rows along the axes and the
-// diagonals of the lattice pass through them. A function of the user's own is also asked by more threads than there are processors, for
-// a while, so that a race is found (race.h); our own are held to be free of them by the tests. One
-// that says that it is not thread-safe, or that answers from processes of its own, is called by one
-// thread at a time, and its races are not looked for.
+// diagonals of the lattice pass through them. A function of the user's own is also asked by more
+// threads than there are processors, for a while, so that a race is found (race.h); our own are
+// held to be free of them by the tests. One that says that it is not thread-safe, or that answers
+// from processes of its own, is called by one thread at a time, and its races are not looked for.
 //
 // Rows, points and the double reference are three routes to one function: they must agree to
 // 32 * 2^-24 * max(1, bound) where the signal states its bound, which is the rounding that float

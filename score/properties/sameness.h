@@ -3,13 +3,13 @@
 // Whether a signal takes the same values at a place and at the image of that place under a map: a
 // shift, a mirror, an exchange of axes.
 //
-// Places are multiples of 2^-8 cells within 16 or 2048 cells of 0, so that a whole number of cells is added
-// exactly; far shifts are also tried at eighths, quarters, halves and whole cells, for functions of
-// float coordinates have no others there. The values are the same where the double reference gives
-// them to 10^-6 of the range, at BL_SAME_PLACES places or more, at six of which it differs from the
-// first; what the value changes by within two roundings of the image is let pass, so that a period
-// that no double has is found at the nearest one. There is no chance in it: the places are many, and
-// other values agree at none.
+// Places are multiples of 2^-8 cells within 16 or 2048 cells of 0, so that a whole number of cells
+// is added exactly; far shifts are also tried at eighths, quarters, halves and whole cells, for
+// functions of float coordinates have no others there. The values are the same where the double
+// reference gives them to 10^-6 of the range, at BL_SAME_PLACES places or more, at six of which it
+// differs from the first; what the value changes by within two roundings of the image is let pass,
+// so that a period that no double has is found at the nearest one. There is no chance in it: the
+// places are many, and other values agree at none.
 #ifndef BL_SCORE_PROPERTIES_SAMENESS_H
 #define BL_SCORE_PROPERTIES_SAMENESS_H
 

@@ -4,8 +4,8 @@
 // planes of its lattice are. Properties that look within a cell and across cells need it; a signal
 // that states no cell gets the one that is found.
 //
-// Distance. For h = 4^k units, r(h) = E |n(x + h') - n(x)|^2 / (2 var n), with h' drawn from h to 2h
-// along one axis, x within 256 h of 0, and a fresh seed for each of several blocks. r is near 0
+// Distance. For h = 4^k units, r(h) = E |n(x + h') - n(x)|^2 / (2 var n), with h' drawn from h to
+// 2h along one axis, x within 256 h of 0, and a fresh seed for each of several blocks. r is near 0
 // where neighbours are related, and 1 where they are not, whatever the values are farther out: each
 // h has its own variance. The correlation length is where r passes 1/2 and stays above.
 //

@@ -2,10 +2,10 @@
 //
 // Seeds: every bit of the seed counts, and signals of related seeds are unrelated.
 //
-// Changes of a seed are each of its 64 bits flipped, 1, 2 and 2^32 added, its double and triple, its
-// complement, its negative and its halves exchanged. A change must alter the value at half of the
-// places or more. And the changed signal must be unrelated to the original, at the same places, at
-// places one and two cells away along each axis, and one cell along several axes at once (a seed
+// Changes of a seed are each of its 64 bits flipped, 1, 2 and 2^32 added, its double and triple,
+// its complement, its negative and its halves exchanged. A change must alter the value at half of
+// the places or more. And the changed signal must be unrelated to the original, at the same places,
+// at places one and two cells away along each axis, and one cell along several axes at once (a seed
 // that is added to a cell number shifts the noise).
 //
 // Two steps. A look at a few seeds, half of them small ones as people use them, tells which changes

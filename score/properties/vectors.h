@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Repeats by a vector: n(p + v) = n(p) for whole numbers of cells v in any direction, which is what a
-// hash of i + 57 j does.
+// Repeats by a vector: n(p + v) = n(p) for whole numbers of cells v in any direction, which is what
+// a hash of i + 57 j does.
 //
 // Near. Every v whose parts are at most NEAR cells is 16 k - a, with k and a small: the values at
 // the places a of a small block and those at multiples of 16 cells are sorted and compared, so that

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+//
+// One property of the scorecard of one signal, for the tests of properties.
+#ifndef BL_TESTS_SCORES_H
+#define BL_TESTS_SCORES_H
+
+#include "score/score.h"
+
+// The property of that name, with the default settings but for size and seed. Fails the running
+// test where it cannot be measured.
+bl_score_property bl_test_score(const bl_signal *signal, const char *property, bl_size size,
+                                uint64_t seed);
+
+#endif
