@@ -74,9 +74,10 @@ static int points_repeat(const walk *w, double shift) {
     for (int i = 0; i < BL_SAME_PLACES; i++) {
         const double at[BL_AXES] = {column[0][BL_SAME_PLACES + i], column[1][BL_SAME_PLACES + i],
                                     column[2][BL_SAME_PLACES + i], column[3][BL_SAME_PLACES + i]};
-        equal &=
-            fabs((double)value[i] - (double)value[BL_SAME_PLACES + i]) <=
-            10 * BL_SAME * w->look->range + 2 * bl_score_change_by_rounding(w->signal, w->look, at);
+        double change = bl_score_change_by_rounding(w->signal, w->look, at);
+        equal &= change >= BL_SILENT * w->look->range ||
+                 fabs((double)value[i] - (double)value[BL_SAME_PLACES + i]) <=
+                     10 * BL_SAME * w->look->range + 2 * change;
     }
     return equal;
 }

@@ -7,7 +7,6 @@
 
 enum { DIFFERENT = 6, MOST_PLACES = 4096 };
 enum { CONSTANT_PLACES = 512 }; // a signal that has not differed by then is nearly constant
-#define SLOPE 1e-3              // of the range
 
 const bl_score_map bl_score_identity = {.axis = {0, 1, 2, 3}, .sign = {1, 1, 1, 1}};
 
@@ -44,14 +43,14 @@ double bl_score_change_by_rounding(const bl_signal *signal, const bl_score_look 
     double here = bl_signal_value(signal, at), change = 0;
     for (unsigned axis = 0; axis < look->dimensions; axis++) {
         double other[BL_AXES], rounding = 0x1p-52 * fabs(at[axis]), most = 0;
-        for (int sign = -1; sign <= 1 && rounding < 0x1p-8 * look->cell; sign += 2) {
+        for (int times = -2; times <= 2 && rounding < 0x1p-8 * look->cell; times++) {
             memcpy(other, at, sizeof other);
-            other[axis] += sign * rounding;
+            other[axis] += times * rounding; // at a peak twice as far is four times as much
             most = fmax(most, fabs(bl_signal_value(signal, other) - here));
         }
         change += most;
     }
-    return fmin(change, SLOPE * look->range);
+    return fmin(change, BL_SILENT * look->range);
 }
 
 // Places of so many parts of a cell, along the axes that the map moves.
@@ -59,7 +58,7 @@ static bl_score_likeness compare_at(const bl_signal *signal, const bl_score_look
                                     const bl_score_map *map, int parts, int places,
                                     bl_random random) {
     double first = 0, sum = 0, near = BL_SAME * look->range;
-    int different = 0, like = 1, opposite = 1;
+    int different = 0, like = 1, opposite = 1, silent = 0;
     for (int i = 0; i < MOST_PLACES && (like || opposite); i++) {
         double at[BL_AXES], image[BL_AXES];
         bl_score_exact_place(look, &random, at);
@@ -73,6 +72,11 @@ static bl_score_likeness compare_at(const bl_signal *signal, const bl_score_look
         double off = fabs(there - here), off_sum = fabs(here + there - sum), slack = near;
         if (!(off <= near) || !(off_sum <= near))
             slack += 2 * bl_score_change_by_rounding(signal, look, image);
+        if (slack > BL_SILENT * look->range) { // a slope so steep that the rounding decides
+            if (2 * ++silent > places)
+                return BL_UNLIKE;
+            continue;
+        }
         like &= off <= slack; // NaN is like nothing
         opposite &= off_sum <= slack;
         different += fabs(here - first) > near;
@@ -87,7 +91,7 @@ static bl_score_likeness compare_at(const bl_signal *signal, const bl_score_look
 static int holds_between(const bl_signal *signal, const bl_score_look *look,
                          const bl_score_map *map, bl_score_likeness likeness, bl_random random) {
     enum { BETWEEN = 64 };
-    int resolved = 0, wrong = 0;
+    int resolved = 0, wrong = 0; // and silent where the rounding decides
     double sum = NAN;
     for (int i = 0; i < BETWEEN; i++) {
         double at[BL_AXES], image[BL_AXES], beside[BL_AXES];
@@ -101,6 +105,8 @@ static int holds_between(const bl_signal *signal, const bl_score_look *look,
         double slack = BL_SAME * look->range + 2 * bl_score_change_by_rounding(signal, look, image);
         sum = isnan(sum) ? here + there : sum;
         resolved += bl_signal_value(signal, beside) != there;
+        if (slack > BL_SILENT * look->range)
+            continue;
         wrong += likeness == BL_LIKE ? !(fabs(there - here) <= slack)
                                      : !(fabs(here + there - sum) <= slack);
     }

@@ -16,6 +16,7 @@
 #include "score/properties/places.h"
 
 #define BL_SAME 1e-6            // of the range
+#define BL_SILENT 1e-3          // of the range
 enum { BL_SAME_PLACES = 1024 }; // so many, for two values alone agree at one of ten by chance
 
 // Component a of the image is sign[a] at[axis[a]] + shift[a], in units.
@@ -54,8 +55,8 @@ int bl_score_is_nearly_constant(const bl_signal *signal, const bl_score_look *lo
                                 bl_random random);
 
 // By how much the value changes within two roundings of each coordinate: of a shift and of the sum;
-// no more than a thousandth of the range, which 24 places do not keep by chance. 0 where roundings
-// are as long as features of the signal.
+// no more than BL_SILENT of the range, where the place tells nothing. 0 where roundings are as long
+// as features of the signal.
 double bl_score_change_by_rounding(const bl_signal *signal, const bl_score_look *look,
                                    const double at[BL_AXES]);
 
