@@ -3,6 +3,7 @@
 // The verb `eval`: values at points, given as words or as lines of standard input. Without --json
 // the values of the lines that have arrived are printed before more are waited for, so that the
 // program can answer another one through a pair of pipes.
+#include <math.h>
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,8 +50,9 @@ static bl_status answer(point_reader *reader, const double at[BL_AXES], size_t g
             return complaint;
     }
     if (!reader->points) {
-        for (size_t k = 0; k < count; k++) // -0 is 0
-            fprintf(reader->call->out, "%.9g%c", values[k] + 0.0, k + 1 < count ? ' ' : '\n');
+        for (size_t k = 0; k < count; k++) // -0 is 0, and NaN has no sign
+            fprintf(reader->call->out, "%.9g%c", isnan(values[k]) ? NAN : values[k] + 0.0,
+                    k + 1 < count ? ' ' : '\n');
         return BL_OK;
     }
     json_array_append_new(reader->points, bl_json_numbers(at, given));

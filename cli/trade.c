@@ -41,6 +41,12 @@ static const char *names_of(char *text, size_t size) {
 
 static bl_status report_unknown(bl_call *call, const char *name) {
     char trades[256], all[sizeof trades + 96];
+    for (size_t i = 0; i < bl_trade_count(); i++)
+        if (strcmp(bl_trade_at(i)->name, name) == 0)
+            return bl_report(&call->message, BL_USAGE,
+                             "'%s' is a trade, and what is traded comes first: `bandlimit trade "
+                             "SUBJECT --trade %s`",
+                             name, name);
     snprintf(all, sizeof all, "`bandlimit list` shows signals; or the word %s, for the trades %s",
              the_word, names_of(trades, sizeof trades));
     const bl_unknown unknown = {
