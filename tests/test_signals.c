@@ -36,9 +36,14 @@ static double white(const block *b, const double at[BL_AXES]) {
     return normal_of(key);
 }
 
+// Of a cell or a sample; places that no integer has are one.
+static uint64_t index_of(double x) {
+    return fabs(x) < 0x1p62 ? (uint64_t)llround(x) : 0;
+}
+
 static double white_image(const block *b, const double at[BL_AXES]) {
-    uint64_t column = (uint64_t)llround(at[0] / b->spacing);
-    uint64_t row = (uint64_t)llround(at[1] / b->spacing) / b->repeat;
+    uint64_t column = index_of(at[0] / b->spacing);
+    uint64_t row = index_of(at[1] / b->spacing) / b->repeat;
     return normal_of(bl_stream(bl_stream(b->seed, row), column));
 }
 
@@ -51,7 +56,7 @@ static double cosine(const block *b, const double at[BL_AXES]) {
 
 static double hat(const block *b, const double at[BL_AXES]) {
     double cell = floor(at[0]), t = at[0] - cell;
-    uint64_t index = (uint64_t)(int64_t)cell;
+    uint64_t index = index_of(cell);
     return (1 - t) * normal_of(bl_stream(b->seed, index)) +
            t * normal_of(bl_stream(b->seed, index + 1));
 }
