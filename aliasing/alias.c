@@ -353,7 +353,7 @@ static bl_status open_methods(measurement *m, const char *const *texts, bl_alias
     }
     memcpy(result->mean, m->scene.mean, sizeof result->mean);
     if (status == BL_OK)
-        result->sameness = bl_sameness_find(&m->scene);
+        result->constancy = bl_constancy_find(&m->scene);
     return status;
 }
 
@@ -444,7 +444,7 @@ void bl_alias_free(bl_alias_result *result) {
 }
 
 int bl_alias_is_constant(const bl_alias_result *result) {
-    return result->sameness.constant;
+    return result->constancy.constant;
 }
 
 int bl_alias_is_converged(const bl_alias_result *result) {

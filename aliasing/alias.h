@@ -23,7 +23,7 @@
 
 #include "aliasing/method.h"
 #include "aliasing/reference.h"
-#include "aliasing/sameness.h"
+#include "aliasing/constancy.h"
 #include "core/size.h"
 #include "core/statistics.h"
 
@@ -70,7 +70,7 @@ typedef struct bl_alias_result {
     double ring_width;      // of the spectrum of the error, cycles per pixel
     double depth[BL_AXES];  // of a solid signal, where the image is flat; NAN along other axes
     int random_depth;       // no view asked for it; every further replicate has its own
-    bl_sameness sameness;   // is there anything to judge? Of the image at its own depth
+    bl_constancy constancy; // is there anything to judge? Of the image at its own depth
     double seen;            // share of the pixels that see the signal
     double mean[3];         // colour of the signal, which stands where the view sees nothing
 } bl_alias_result;

@@ -6,6 +6,7 @@
 
 #include "aliasing/patterns.h"
 #include "core/grid.h"
+#include "core/statistics.h"
 #include "textures/texture.h"
 
 enum { POP_FRAMES = 8 }; // times the frames of flicker
@@ -80,11 +81,6 @@ static void add_variance(moving_picture *picture, int zooms, double *columns) {
             share * bl_moments_variance(&picture->moments[i]);
 }
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 // Fills the rms change of each method's error between the frames t - 1 and t of the zoom.
 static void change_frame(moving_picture *picture, unsigned t, unsigned frames, double *changes) {
     double *swap = picture->before;
@@ -112,7 +108,7 @@ static bl_status find_pops(moving_picture *picture, bl_flicker *results, bl_mess
         change_frame(picture, t, frames, changes);
     for (size_t m = 0; m < picture->count; m++) {
         double *own = changes + m * frames;
-        qsort(own, frames, sizeof *own, ascending);
+        qsort(own, frames, sizeof *own, bl_ascending);
         double largest = own[frames - 1], median = own[frames / 2];
         results[m].pops = sqrt(largest * largest - median * median);
     }

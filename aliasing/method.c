@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/setting.h"
+
 // The keys whose words are ways that a signal filters itself: those of textures and primitives, and
 // those of sums of octaves.
 static const char *const own_keys[] = {"filter", "clamp"};
@@ -28,6 +30,20 @@ int bl_method_is_own(const bl_signal *signal, const char *word) {
         if (strcmp(*own, word) == 0)
             return 1;
     return 0;
+}
+
+bl_status bl_method_open_own(const bl_signal *signal, const char *word, const char *width,
+                             bl_signal **filtered, bl_message *message) {
+    bl_signal *chosen;
+    if (!bl_method_is_own(signal, word))
+        return bl_report(message, BL_USAGE, "'%s' has no filter '%s'", signal->text, word);
+    bl_status status =
+        bl_signal_with_setting(signal, bl_method_own_key(signal), word, &chosen, message);
+    if (status != BL_OK)
+        return status;
+    status = bl_signal_with_setting(chosen, "width", width, filtered, message);
+    bl_signal_free(chosen);
+    return status;
 }
 
 void bl_method_close(bl_method *method) {

@@ -65,6 +65,10 @@ const char *bl_method_own_key(const bl_signal *signal);
 // The words of this key, ended by NULL (at once, without a key); and whether a word is one of them.
 const char *const *bl_method_own_words(const bl_signal *signal);
 int bl_method_is_own(const bl_signal *signal, const char *word);
+// Opens the signal with this word of its own for samples of a width, a number as text. The caller
+// frees it. Errors: BL_USAGE if the signal, or its other settings, have no such word.
+bl_status bl_method_open_own(const bl_signal *signal, const char *word, const char *width,
+                             bl_signal **filtered, bl_message *message);
 
 // The unfiltered colours of what the view sees at each (x, y), in pixels, 3 numbers a place; the
 // background where it sees nothing. What methods sample. Thread-safe.

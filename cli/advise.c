@@ -233,7 +233,7 @@ static bl_status advise(bl_call *call, const bl_signal *signal, const bl_view *v
     bl_progress(call, NULL);
     if (status != BL_OK)
         return status;
-    bl_alias_warn(call, signal, view, &advice.alias.sameness);
+    bl_alias_warn(call, signal, view, &advice.alias.constancy);
     if (bl_json_start(call))
         fill_json(call->json, signal, view, &settings, &advice);
     else if (!call->common.quiet)

@@ -93,8 +93,8 @@ static const bl_field result_fields[] = {
     {"depth_z_units", NULL, BL_CELL_REAL, AT(bl_alias_result, depth[2])},
     {"depth_w_units", NULL, BL_CELL_REAL, AT(bl_alias_result, depth[3])},
     {"depth_is_random", NULL, BL_CELL_FLAG, AT(bl_alias_result, random_depth)},
-    {"constant", NULL, BL_CELL_FLAG, AT(bl_alias_result, sameness.constant)},
-    {"varying_share", NULL, BL_CELL_REAL, AT(bl_alias_result, sameness.varies)},
+    {"constant", NULL, BL_CELL_FLAG, AT(bl_alias_result, constancy.constant)},
+    {"varying_share", NULL, BL_CELL_REAL, AT(bl_alias_result, constancy.varies)},
     {"seen", NULL, BL_CELL_REAL, AT(bl_alias_result, seen)},
     {"reference_rms_error", NULL, BL_CELL_REAL, AT(bl_alias_result, reference_error)},
     {"reference_samples_per_pixel", NULL, BL_CELL_REAL, AT(bl_alias_result, reference.samples)},
@@ -136,9 +136,10 @@ static void print_reference(FILE *out, const bl_alias_result *result) {
 }
 
 static void print_depth(FILE *out, const bl_alias_result *result) {
+    static const char axes[] = "xyzw";
     for (int a = 2; a < BL_AXES; a++)
         if (isfinite(result->depth[a]))
-            fprintf(out, "the slice at %c = %.10g\n", "xyzw"[a], result -> depth[a]);
+            fprintf(out, "the slice at %c = %.10g\n", axes[a], result->depth[a]);
     if (result->random_depth)
         fputs(
             "(a random depth of the seed, unless z or w is given to flat or plane; alias and blur "
@@ -177,7 +178,7 @@ static bl_status measure(bl_call *call, const bl_signal *signal, const bl_view *
     bl_words_free(&methods);
     if (status != BL_OK)
         return status;
-    bl_alias_warn(call, signal, view, &result.sameness);
+    bl_alias_warn(call, signal, view, &result.constancy);
     if (call->path)
         status = bl_alias_files_write(call, signal, view, &result);
     json_t *object = status == BL_OK ? bl_json_start(call) : NULL;

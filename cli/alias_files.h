@@ -17,6 +17,6 @@ bl_table bl_alias_table(const bl_alias_result *result);
 
 // Warns where the signal is constant, or nearly so, in the image, and says where it varies.
 void bl_alias_warn(bl_call *call, const bl_signal *signal, const bl_view *view,
-                   const bl_sameness *same);
+                   const bl_constancy *same);
 
 #endif

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 void bl_alias_warn(bl_call *call, const bl_signal *signal, const bl_view *view,
-                   const bl_sameness *same) {
+                   const bl_constancy *same) {
     char share[64] = "all over", elsewhere[160] =
                                      "and no other value was found within 1000 units "
                                      "of 0";

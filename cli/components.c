@@ -7,16 +7,13 @@
 
 bl_status bl_vector_signal_open(const bl_signal *signal, size_t count, bl_vector_signal *vector,
                                 bl_message *message) {
-    uint64_t seed = 0;
     *vector = (bl_vector_signal){.count = 1, .of = {signal}};
     if (count > 1 && signal->seed_offset == SIZE_MAX)
         return bl_report(message, BL_MISMATCH,
                          "--components %zu: '%s' has no seed, so there is only one of it", count,
                          signal->text);
-    if (count > 1)
-        memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);
     for (; vector->count < count; vector->count++) {
-        uint64_t own = bl_component_seed(seed, (unsigned)vector->count);
+        uint64_t own = bl_component_seed(bl_signal_seed(signal), (unsigned)vector->count);
         vector->of[vector->count] = bl_signal_reseed(signal, own);
         if (!vector->of[vector->count]) {
             bl_vector_signal_free(vector);

@@ -211,9 +211,10 @@ static void report(bl_call *call, const bl_signal *signal, const slice_view *vie
     bl_plain_number(call->out, outcome->maximum, 6);
     fputc('\n', call->out);
     if (signal->dimensions > 2) {
+        static const char axes[] = "xyzw";
         fputs("the middle is at ", call->out);
         for (unsigned k = 0; k < signal->dimensions; k++)
-            fprintf(call->out, "%s%c = %.10g", k ? ", " : "", "xyzw"[k], view -> centre[k] + 0.0);
+            fprintf(call->out, "%s%c = %.10g", k ? ", " : "", axes[k], view->centre[k] + 0.0);
         fputc('\n', call->out);
     }
     if (is_png(call->path))

@@ -45,26 +45,17 @@ static double raw_variance(const bl_call *call, const bl_signal *signal, const b
     return variance;
 }
 
-// The signal with one of its own filters for the width of a pixel; NULL if it has no such word.
-static bl_signal *open_filtered(const bl_signal *signal, const char *word, double spacing) {
-    bl_signal *chosen, *filtered;
-    char width[32];
-    snprintf(width, sizeof width, "%.9g", spacing);
-    if (!bl_method_is_own(signal, word) ||
-        bl_signal_with_setting(signal, bl_method_own_key(signal), word, &chosen, NULL) != BL_OK)
-        return NULL;
-    bl_status status = bl_signal_with_setting(chosen, "width", width, &filtered, NULL);
-    bl_signal_free(chosen);
-    return status == BL_OK ? filtered : NULL;
-}
-
 // Adds the best of the signal's own filters, if it does; exact averages before approximations.
 static void add_filter(const bl_call *call, const bl_signal *signal, const bl_grid *grid,
                        double spacing, double variance, char *text, size_t size) {
     static const char *const words[] = {"exact", "integral", "sat", "slope", "fade", "clamp"};
+    char width[32];
+    snprintf(width, sizeof width, "%.9g", spacing);
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-        bl_signal *filtered = open_filtered(signal, words[i], spacing);
-        int does = filtered && measure(call, filtered, grid, variance, 1).times == 1;
+        bl_signal *filtered;
+        if (bl_method_open_own(signal, words[i], width, &filtered, NULL) != BL_OK)
+            continue;
+        int does = measure(call, filtered, grid, variance, 1).times == 1;
         if (does)
             snprintf(text, size, ", and so would '%s'", filtered->text);
         bl_signal_free(filtered);

@@ -7,6 +7,8 @@
 #include <string.h>
 #include <time.h>
 
+#include "core/statistics.h"
+
 enum { MOST_ROUNDS = 101, BLOCKS = 6 };
 
 double bl_clock_seconds(void) {
@@ -49,11 +51,6 @@ static size_t runs_of(const bl_work *work, double seconds) {
     return runs;
 }
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 // Of turns that still stand in the order of time.
 static double find_worst_block(const double *taken, size_t rounds) {
     size_t blocks = rounds < BLOCKS ? rounds : BLOCKS;
@@ -69,7 +66,7 @@ static double find_worst_block(const double *taken, size_t rounds) {
 
 static bl_time summarise(double *taken, size_t rounds) {
     double worst = find_worst_block(taken, rounds);
-    qsort(taken, rounds, sizeof *taken, ascending);
+    qsort(taken, rounds, sizeof *taken, bl_ascending);
     return (bl_time){.minimum = taken[0],
                      .median = taken[rounds / 2],
                      .maximum = taken[rounds - 1],

@@ -94,6 +94,13 @@ bl_signal *bl_signal_reseed(const bl_signal *signal, uint64_t seed) {
     return signal->seed_offset == SIZE_MAX ? NULL : copy_with(signal, &seed);
 }
 
+uint64_t bl_signal_seed(const bl_signal *signal) {
+    uint64_t seed = 0;
+    if (signal->seed_offset != SIZE_MAX)
+        memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);
+    return seed;
+}
+
 void bl_signal_free(bl_signal *signal) {
     if (signal && signal->functions->release)
         signal->functions->release(signal->parameters);

@@ -138,6 +138,9 @@ bl_signal *bl_signal_copy(const bl_signal *signal);
 // place).
 bl_signal *bl_signal_reseed(const bl_signal *signal, uint64_t seed);
 
+// The seed that it draws from; 0 of a signal without one.
+uint64_t bl_signal_seed(const bl_signal *signal);
+
 // Releases the signal and all it owns; NULL is fine.
 void bl_signal_free(bl_signal *signal);
 
@@ -151,6 +154,8 @@ int bl_signal_has_closed_form(const bl_signal *signal);
 int bl_signal_has_density(const bl_signal *signal); // a covariance that ends
 void bl_signal_row(const bl_signal *signal, const double start[BL_AXES], const double step[BL_AXES],
                    size_t count, float *out);
+// An array of columns, as the points take it.
+#define BL_COLUMNS(at) ((const double *const[BL_AXES]){(at)[0], (at)[1], (at)[2], (at)[3]})
 void bl_signal_points(const bl_signal *signal, const double *const at[BL_AXES], size_t count,
                       float *out);
 double bl_signal_value(const bl_signal *signal, const double at[BL_AXES]);

@@ -227,3 +227,8 @@ double bl_moments_skewness(const bl_moments *moments) {
 double bl_moments_kurtosis(const bl_moments *moments) {
     return moments->n * moments->m4 / (moments->m2 * moments->m2);
 }
+
+int bl_ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}

@@ -48,4 +48,7 @@ double bl_moments_variance(const bl_moments *moments); // unbiased; NaN below tw
 double bl_moments_skewness(const bl_moments *moments);
 double bl_moments_kurtosis(const bl_moments *moments); // of a normal: 3
 
+// For qsort: doubles, the least first; none of them NaN.
+int bl_ascending(const void *a, const void *b);
+
 #endif

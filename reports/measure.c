@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "core/setting.h"
+#include "aliasing/method.h"
 #include "sources/source.h"
 
 // --- signals and views --------------------------------------------------------------------------
@@ -36,21 +36,14 @@ void bl_run_signals(bl_run *run, const char *const *texts, size_t count, bl_sign
 }
 
 const bl_signal *bl_run_filtered(bl_run *run, const bl_signal *signal, double width) {
-    const char *const *words = bl_signal_choices(signal, "filter");
-    bl_signal *exact, *filtered;
-    int has_exact = 0;
-    for (; words && *words; words++)
-        has_exact |= strcmp(*words, "exact") == 0;
-    if (!has_exact || bl_signal_own_width(signal) > 0)
+    bl_signal *filtered;
+    if (bl_signal_own_width(signal) > 0)
         return signal;
-    bl_status status =
-        bl_signal_with_setting(signal, "filter", "exact", &exact, bl_run_message(run));
-    if (status == BL_USAGE) // its other settings have none
+    bl_status status = bl_method_open_own(signal, "exact", bl_run_text(run, "%.17g", width),
+                                          &filtered, bl_run_message(run));
+    if (status == BL_USAGE) // it, or its other settings, have none
         return signal;
     bl_run_must(run, status);
-    bl_run_keep(run, exact, release_signal);
-    const char *wide = bl_run_text(run, "%.17g", width);
-    bl_run_must(run, bl_signal_with_setting(exact, "width", wide, &filtered, bl_run_message(run)));
     return bl_run_keep(run, filtered, release_signal);
 }
 

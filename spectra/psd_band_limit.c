@@ -112,39 +112,47 @@ static void advise(const bl_psd *psd, const leak *found, double allowed, bl_band
     }
 }
 
-void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit) {
-    const double missed = limit->missed > 0 ? limit->missed : 1 - psd->settings.level;
+static double missed_of(const bl_psd *psd, const bl_band_limit *limit) {
+    return limit->missed > 0 ? limit->missed : 1 - psd->settings.level;
+}
+
+static void judge(const bl_psd *psd, const leak *found, bl_band_limit *limit) {
     const double kept = pow(1 - bl_window_side_lobes(psd->settings.window), psd->settings.dims);
     const double allowed = pow(10, limit->limit_db / 10);
-    const leak found = find_leak(psd, limit, missed);
     // Of the power inside the part 1 - kept may be seen anywhere, and so of the power outside.
-    double lower = fmax(0, found.far.lower - (1 - kept)) / kept;
-    double upper = fmax(lower, fmin(1, found.near.upper / kept));
-    limit->leak_db = decibel(fmin(fmax(found.at.value, lower), upper));
+    double lower = fmax(0, found->far.lower - (1 - kept)) / kept;
+    double upper = fmax(lower, fmin(1, found->near.upper / kept));
+    limit->leak_db = decibel(fmin(fmax(found->at.value, lower), upper));
     limit->lower_db = decibel(lower);
     limit->upper_db = decibel(upper);
-    limit->edge_db = decibel(fmax(0, found.near.value - found.far.value));
+    limit->edge_db = decibel(fmax(0, found->near.value - found->far.value));
     limit->needed_averages = limit->needed_size = 0;
     limit->verdict = upper <= allowed  ? BL_VERDICT_PASS
                      : lower > allowed ? BL_VERDICT_FAIL
                                        : BL_VERDICT_INCONCLUSIVE;
     if (limit->verdict == BL_VERDICT_INCONCLUSIVE)
-        advise(psd, &found, allowed, limit);
+        advise(psd, found, allowed, limit);
+}
+
+void bl_psd_band_limit(const bl_psd *psd, bl_band_limit *limit) {
+    const leak found = find_leak(psd, limit, missed_of(psd, limit));
+    judge(psd, &found, limit);
 }
 
 // A first look that the smear leaves open is a verdict only where it is clear: it has a tenth of
 // the error, and the second look the rest. How long the second look's lines are, or 0 for no second
 // look, depends on the smear alone.
-static size_t size_of_second_look(const bl_psd *psd, const bl_band_limit *limit) {
+static size_t size_of_second_look(const bl_psd *psd, const bl_band_limit *limit, double missed,
+                                  const leak *found) {
+    if (!is_smeared(found))
+        return 0;
     bl_band_limit clear = *limit;
-    const double missed = limit->missed > 0 ? limit->missed : 1 - psd->settings.level;
-    const leak found = find_leak(psd, limit, missed);
     clear.missed = missed / 10;
     bl_psd_band_limit(psd, &clear);
-    if (clear.verdict != BL_VERDICT_INCONCLUSIVE || !is_smeared(&found))
+    if (clear.verdict != BL_VERDICT_INCONCLUSIVE)
         return 0;
-    double chance = 0.125 * (found.at.upper - found.at.lower);
-    double factor = (found.near.value - found.far.value) / fmax(chance, 1e-300);
+    double chance = 0.125 * (found->at.upper - found->at.lower);
+    double factor = (found->near.value - found->far.value) / fmax(chance, 1e-300);
     double most = pow(BL_PSD_LONGER, 1.0 / (double)psd->settings.dims), power = 2;
     while (power < factor && 2 * power <= most)
         power *= 2;
@@ -157,19 +165,23 @@ bl_status bl_psd_judge_band(const bl_signal *signal, const bl_psd_settings *sett
     if (status != BL_OK)
         return status;
     status = bl_psd_check_limit(psd, limit, message);
-    bl_psd_settings longer = psd->settings;
-    longer.size = status == BL_OK && !is_fixed ? size_of_second_look(psd, limit) : 0;
-    if (longer.size) {
-        limit->missed = 0.9 * (limit->missed > 0 ? limit->missed : 1 - psd->settings.level);
+    if (status != BL_OK) {
         bl_psd_free(psd);
-        status = bl_psd_measure(signal, &longer, psd, message);
-        if (status != BL_OK)
-            return status;
+        return status;
     }
+    const double missed = missed_of(psd, limit);
+    const leak found = find_leak(psd, limit, missed);
+    bl_psd_settings longer = psd->settings;
+    longer.size = is_fixed ? 0 : size_of_second_look(psd, limit, missed, &found);
+    if (!longer.size) {
+        judge(psd, &found, limit);
+        return BL_OK;
+    }
+    bl_psd_free(psd);
+    status = bl_psd_measure(signal, &longer, psd, message);
+    limit->missed = 0.9 * missed;
     if (status == BL_OK)
         bl_psd_band_limit(psd, limit);
-    else
-        bl_psd_free(psd);
     return status;
 }
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/grid.h"
+#include "core/statistics.h"
 #include "spectra/psd_parts.h"
 
 bl_status bl_psd_allocate(bl_psd *psd, const bl_bins *bins, bl_message *message) {
@@ -168,17 +169,12 @@ bl_status bl_psd_of_buffer(float *samples, const bl_psd_settings *settings, bl_p
     return status;
 }
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 double bl_psd_median_dof(const bl_psd *psd) {
     double *sorted = malloc((psd->count + 1) * sizeof *sorted), median = NAN;
     if (!sorted)
         return NAN;
     memcpy(sorted, psd->dof, psd->count * sizeof *sorted);
-    qsort(sorted, psd->count, sizeof *sorted, ascending);
+    qsort(sorted, psd->count, sizeof *sorted, bl_ascending);
     median = psd->count ? sorted[psd->count / 2] : NAN;
     free(sorted);
     return median;

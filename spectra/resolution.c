@@ -6,6 +6,7 @@
 
 #include "core/grid.h"
 #include "core/random.h"
+#include "core/sinc.h"
 
 enum {
     TAPS = 16,   // samples around a place
@@ -53,7 +54,7 @@ static void set_weights(double weight[TAPS]) {
     double sum = 0;
     for (int k = 0; k < TAPS; k++) {
         double x = k - 0.5 * (TAPS - 1), edge = 2 * x / TAPS;
-        weight[k] = sin(M_PI * x) / (M_PI * x) * bessel(BETA * sqrt(1 - edge * edge));
+        weight[k] = bl_sinc(x) * bessel(BETA * sqrt(1 - edge * edge));
         sum += weight[k];
     }
     for (int k = 0; k < TAPS; k++)
@@ -109,10 +110,8 @@ static sums look_at_chunk(const looking *look, size_t chunk, double scale, int i
             for (int a = 0; a < BL_AXES; a++)
                 at[a][taps * i + k] = place[a][i] + x * scale * look->step[a];
         }
-    bl_signal_points(look->signal, (const double *const[]){place[0], place[1], place[2], place[3]},
-                     CHUNK, middle);
-    bl_signal_points(look->signal, (const double *const[]){at[0], at[1], at[2], at[3]},
-                     CHUNK * taps, around);
+    bl_signal_points(look->signal, BL_COLUMNS(place), CHUNK, middle);
+    bl_signal_points(look->signal, BL_COLUMNS(at), CHUNK * taps, around);
     // The mean of 1 - cos over a turn, squared, is 3/2.
     return is_short ? add_up(middle, look->origin, around, taps, halves, 2.0 / 3)
                     : add_up(middle, look->origin, around, taps, look->weight, 0.25);

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/registry.h"
+#include "core/sinc.h"
 
 enum { TERMS = 4 };
 
@@ -45,10 +46,6 @@ bl_status bl_window_read(const char *word, bl_window *window, bl_message *messag
                              message);
 }
 
-static double sinc(double x) {
-    return fabs(x) < 1e-9 ? 1 : sin(M_PI * x) / (M_PI * x);
-}
-
 // The window at an angle; cos(2p) and cos(3p) from cos(p), Chebyshev's polynomials.
 static double window_at(bl_window window, double phase) {
     const double *a = windows[window].a;
@@ -70,9 +67,9 @@ double bl_window_half_lobe(bl_window window) {
 
 double bl_window_kernel(bl_window window, double bins) {
     const double *a = windows[window].a;
-    double sum = a[0] * sinc(bins), squares = a[0] * a[0];
+    double sum = a[0] * bl_sinc(bins), squares = a[0] * a[0];
     for (int j = 1; j < TERMS; j++) {
-        sum += 0.5 * a[j] * (sinc(bins - j) + sinc(bins + j));
+        sum += 0.5 * a[j] * (bl_sinc(bins - j) + bl_sinc(bins + j));
         squares += 0.5 * a[j] * a[j];
     }
     return sum * sum / squares;

@@ -125,9 +125,7 @@ static void points(const void *parameters, const double *const at[BL_AXES], size
             for (int a = 0; a < BL_AXES; a++)
                 column[a][i] = bent[a];
         }
-        bl_signal_points(b->inner,
-                         (const double *const[]){column[0], column[1], column[2], column[3]}, n,
-                         out + from);
+        bl_signal_points(b->inner, BL_COLUMNS(column), n, out + from);
         for (size_t i = 0; i < n; i++) {
             const double here[BL_AXES] = {at[0][from + i], at[1][from + i], at[2][from + i],
                                           at[3][from + i]};

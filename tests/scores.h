@@ -6,8 +6,11 @@
 
 #include "score/score.h"
 
-// The property of that name, with the default settings but for size and seed. Fails the running
-// test where it cannot be measured.
+// The property of that name. Fails the running test where it cannot be measured.
+bl_score_property bl_test_score_with(const bl_score_subject *subject, const char *property,
+                                     const bl_score_settings *settings);
+
+// With the default settings but for size and seed.
 bl_score_property bl_test_score(const bl_signal *signal, const char *property, bl_size size,
                                 uint64_t seed);
 

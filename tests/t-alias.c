@@ -335,7 +335,7 @@ static void test_a_constant_image_is_named(void **state) {
             measure(bl_test_open_source(cases[c].signal), cases[c].view, methods, 2, &settings);
         assert_int_equal(bl_alias_is_constant(&result), cases[c].constant);
         if (cases[c].constant)
-            assert_true(result.sameness.found && result.sameness.reach < 16);
+            assert_true(result.constancy.found && result.constancy.reach < 16);
         bl_alias_free(&result);
     }
 }

@@ -4,21 +4,14 @@
 // fault where there is one. Nothing here is random beyond the rates of the properties themselves.
 #include "tests/test.h"
 
-#include "score/score.h"
+#include "tests/scores.h"
 #include "tests/sources.h"
 
 static bl_score_property measure(const char *text, const char *name) {
-    bl_score_settings settings = bl_score_default_settings();
     bl_signal *signal = bl_test_open_source(text);
-    bl_score_subject subject = {.signal = signal};
-    bl_message message = {""};
-    static bl_score score;
-    const size_t index = bl_property_index(name);
-    settings.size = BL_QUICK;
-    assert_int_equal(bl_score_measure(&subject, &settings, UINT64_C(1) << index, &score, &message),
-                     BL_OK);
+    bl_score_property found = bl_test_score(signal, name, BL_QUICK, 1);
     bl_signal_free(signal);
-    return score.properties[index];
+    return found;
 }
 
 static void expect(const char *text, const char *name, const char *cell, const char *reason) {

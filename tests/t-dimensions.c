@@ -194,9 +194,7 @@ static void test_floats_agree_with_the_double_reference(void **state) {
                     for (int i = 0; i < COUNT; i++)
                         column[a][i] = start[a] + i * step[a];
                 bl_signal_row(signal, start, step, COUNT, row);
-                bl_signal_points(
-                    signal, (const double *const[]){column[0], column[1], column[2], column[3]},
-                    COUNT, points);
+                bl_signal_points(signal, BL_COLUMNS(column), COUNT, points);
                 for (int i = 0; i < COUNT; i += 7) {
                     const double at[BL_AXES] = {column[0][i], column[1][i], column[2][i],
                                                 column[3][i]};

@@ -45,9 +45,7 @@ static void test_floats_keep_their_tolerance_from_1e_minus_30_to_1e18(void **sta
                 for (int a = 0; a < BL_AXES; a++)
                     column[a][i] = at[i][a];
             }
-            bl_signal_points(signal,
-                             (const double *const[]){column[0], column[1], column[2], column[3]},
-                             PLACES, out);
+            bl_signal_points(signal, BL_COLUMNS(column), PLACES, out);
             for (int i = 0; i < PLACES; i++) {
                 double expected = bl_signal_value(signal, at[i]);
                 if (largest(at[i]) < domain && !(fabs((double)out[i] - expected) <= tolerance))

@@ -203,8 +203,7 @@ static probe take_probe(const bl_signal *signal, unsigned axis, double shift) {
             bl_signal_row(signal, at, step, PROBES, result.row[along]);
         }
     }
-    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
-                     PROBES, result.points);
+    bl_signal_points(signal, BL_COLUMNS(column), PROBES, result.points);
     return result;
 }
 
@@ -284,8 +283,7 @@ static void count_numbers(const bl_signal *signal, unsigned axis, double lower, 
         for (int i = 0; i < EIGHTHS; i++)
             column[a][i] = start[a] + i * step[a];
     bl_signal_row(signal, start, step, EIGHTHS, row);
-    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
-                     EIGHTHS, points);
+    bl_signal_points(signal, BL_COLUMNS(column), EIGHTHS, points);
     for (int way = 0; way < 3; way++)
         numbers[way] = 0;
     for (int i = 0; i < EIGHTHS &&
@@ -365,8 +363,7 @@ static void add_batch(const bl_signal *signal, bl_random *random, const double *
             column[a][i] = base[a] + 16 * (i >> 2 * a & 3) +
                            (phase ? floor(place) + (a < 3 ? phase[a] : 0) : place);
         }
-    bl_signal_points(fresh, (const double *const[]){column[0], column[1], column[2], column[3]},
-                     BATCH, out);
+    bl_signal_points(fresh, BL_COLUMNS(column), BATCH, out);
     for (int i = 0; i < BATCH; i++) {
         mean += (double)out[i] / BATCH;
         square += (double)out[i] * (double)out[i] / BATCH;

@@ -389,9 +389,7 @@ static void test_floats_are_as_near_as_is_stated(void **state) {
         for (int a = 0; a < BL_AXES; a++)
             for (int i = 0; i < PLACES; i++)
                 column[a][i] = 200 * bl_random_unit(&random) - 100;
-        bl_signal_points(signal,
-                         (const double *const[]){column[0], column[1], column[2], column[3]},
-                         PLACES, out);
+        bl_signal_points(signal, BL_COLUMNS(column), PLACES, out);
         double met = 0;
         for (int i = 0; i < PLACES; i++) {
             const double at[BL_AXES] = {column[0][i], column[1][i], column[2][i], column[3][i]};

@@ -237,8 +237,7 @@ static void mean_difference(const char *one, const char *other, bl_moments *diff
             for (int k = 0; k < BL_AXES; k++)
                 at[k][i] = 1e6 * bl_random_unit(&random);
         for (int s = 0; s < 2; s++) {
-            bl_signal_points(fresh[s], (const double *const[]){at[0], at[1], at[2], at[3]}, BATCH,
-                             out[s]);
+            bl_signal_points(fresh[s], BL_COLUMNS(at), BATCH, out[s]);
             bl_signal_free(fresh[s]);
         }
         for (int i = 0; i < BATCH; i++)

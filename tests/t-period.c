@@ -59,8 +59,7 @@ static void take_probe(const bl_signal *signal, double base, unsigned axis, doub
             step[a] = along == 4 ? 0.125 * (a + 1) : a == along ? 0.4375 : 0;
         bl_signal_row(signal, at, step, ROW, result->row[along]);
     }
-    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
-                     PROBES, result->points);
+    bl_signal_points(signal, BL_COLUMNS(column), PROBES, result->points);
 }
 
 static void test_a_period_moves_no_bit(void **state) {
@@ -147,10 +146,7 @@ static void test_the_inside_is_that_of_the_noise_without_a_period(void **state) 
                 assert_true(bl_signal_value(plain, at) == bl_signal_value(repeated, at));
             }
             for (int k = 0; k < 2; k++)
-                bl_signal_points(
-                    k ? repeated : plain,
-                    (const double *const[]){column[0], column[1], column[2], column[3]}, PROBES,
-                    points[k]);
+                bl_signal_points(k ? repeated : plain, BL_COLUMNS(column), PROBES, points[k]);
             assert_memory_equal(points[0], points[1], sizeof points[0]);
             bl_signal_free(plain);
             bl_signal_free(repeated);

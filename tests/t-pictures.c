@@ -8,7 +8,7 @@
 // (binomial, by Hoeffding).
 #include "tests/test.h"
 
-#include "score/score.h"
+#include "tests/scores.h"
 #include "tests/pictures.h"
 #include "tests/sources.h"
 #include "tests/temporary.h"
@@ -19,15 +19,9 @@ static float values[MOST], other[MOST];
 
 static bl_score_property measure(const bl_signal *signal, const char *name, double alpha) {
     bl_score_settings settings = bl_score_default_settings();
-    bl_score_subject subject = {.signal = signal};
-    bl_message message = {""};
-    static bl_score score;
-    const size_t index = bl_property_index(name);
     settings.size = BL_QUICK;
     settings.alpha = alpha;
-    assert_int_equal(bl_score_measure(&subject, &settings, UINT64_C(1) << index, &score, &message),
-                     BL_OK);
-    return score.properties[index];
+    return bl_test_score_with(&(bl_score_subject){.signal = signal}, name, &settings);
 }
 
 // Of the picture in `from`, wrapped and interpolated.

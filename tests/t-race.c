@@ -8,7 +8,7 @@
 #include "tests/test.h"
 
 #include "score/properties/race.h"
-#include "score/score.h"
+#include "tests/scores.h"
 #include "sources/source.h"
 
 #ifdef __SANITIZE_THREAD__ // which ends the program at the races that are here on purpose
@@ -31,15 +31,9 @@ static bl_signal *open_function(const char *name) {
 // With one thread asked for, which the search does not keep to.
 static bl_score_property measure(const bl_signal *signal) {
     bl_score_settings settings = bl_score_default_settings();
-    bl_score_subject subject = {.signal = signal};
-    bl_message message = {""};
-    static bl_score score;
-    const size_t index = bl_property_index("repeatable");
     settings.size = BL_QUICK;
     settings.threads = 1;
-    assert_int_equal(bl_score_measure(&subject, &settings, UINT64_C(1) << index, &score, &message),
-                     BL_OK);
-    return score.properties[index];
+    return bl_test_score_with(&(bl_score_subject){.signal = signal}, "repeatable", &settings);
 }
 
 static int is_raced(const char *name, bl_race *race) {

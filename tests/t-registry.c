@@ -179,8 +179,7 @@ static void test_bad_coordinates_give_nan(void **state) {
                 for (int a = 0; a < BL_AXES; a++)
                     for (int k = 0; k < 40; k++)
                         at[a][k] = start[a];
-                bl_signal_points(signal, (const double *const[]){at[0], at[1], at[2], at[3]}, 40,
-                                 points);
+                bl_signal_points(signal, BL_COLUMNS(at), 40, points);
                 for (int k = 0; k < 40; k++)
                     if (!isnan(row[k]) || !isnan(points[k]))
                         fail_msg("%s: coordinate %g gave a value", list->text[i], bad[b]);
@@ -253,7 +252,7 @@ static void test_a_point_in_another_batch_has_the_same_bits(void **state) {
     for (size_t i = 0; i < list->count; i++) {
         bl_signal *signal = bl_test_open(list->text[i], BL_ISA_BEST);
         float all[MANY], one;
-        bl_signal_points(signal, (const double *const[]){at[0], at[1], at[2], at[3]}, MANY, all);
+        bl_signal_points(signal, BL_COLUMNS(at), MANY, all);
         for (int k = 0; k < MANY; k += 7) {
             bl_signal_points(signal,
                              (const double *const[]){at[0] + k, at[1] + k, at[2] + k, at[3] + k}, 1,

@@ -180,8 +180,7 @@ static void test_a_point_beside_any_other_is_as_alone(void **state) {
             for (size_t k = 0; k < MANY; k++)
                 for (int a = 0; a < BL_AXES; a++)
                     at[a][k] = choose_start(&random);
-            bl_signal_points(signal, (const double *const[]){at[0], at[1], at[2], at[3]}, MANY,
-                             all);
+            bl_signal_points(signal, BL_COLUMNS(at), MANY, all);
             for (size_t k = 0; k < MANY; k += 1 + below(&random, 5)) {
                 bl_signal_points(
                     signal, (const double *const[]){at[0] + k, at[1] + k, at[2] + k, at[3] + k}, 1,

@@ -10,6 +10,7 @@
 
 #include "core/hash.h"
 #include "score/properties/scale.h"
+#include "tests/scores.h"
 #include "tests/test_signals.h"
 #include "tests/texts.h"
 
@@ -23,17 +24,6 @@ static bl_score_scale scale_of(bl_signal *signal) {
     const bl_score_settings own = settings();
     signal->facts.cell = NAN; // so that the lattice is sought
     return bl_score_find_scale(signal, &own);
-}
-
-static bl_score_property judge(const bl_signal *signal) {
-    const bl_score_settings own = settings();
-    bl_score_subject subject = {.signal = signal};
-    bl_message message = {""};
-    static bl_score score;
-    const size_t index = bl_property_index("scale");
-    if (bl_score_measure(&subject, &own, UINT64_C(1) << index, &score, &message) != BL_OK)
-        fail_msg("%s: %s", signal->text, message.text);
-    return score.properties[index];
 }
 
 // A cosine of frequency f with a random phase has r(h) = 1 - cos(2 pi f h), averaged over h .. 2h
@@ -103,7 +93,7 @@ static void test_no_noise_of_the_registry_states_a_wrong_cell(void **state) {
     (void)state;
     for (size_t i = 0; i < bl_noise_count(); i++) {
         bl_signal *signal = bl_test_open(bl_noise_at(i, BL_ISA_BEST)->name, BL_ISA_BEST);
-        bl_score_property found = judge(signal);
+        bl_score_property found = bl_test_score(signal, "scale", BL_QUICK, 1);
         if (found.verdict == BL_VERDICT_FAIL && found.against == BL_AGAINST_CLAIM)
             fail_msg("%s: %s", signal->text, found.reason);
         bl_signal_free(signal);
@@ -143,13 +133,13 @@ static void test_what_does_not_vary_over_a_distance_fails(void **state) {
     bl_signal *inner = bl_test_open("gnoise:seed=3", BL_ISA_BEST);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         bl_signal *signal = bl_test_seen_through(inner, cases[i].view);
-        bl_score_property found = judge(signal);
+        bl_score_property found = bl_test_score(signal, "scale", BL_QUICK, 1);
         if (found.verdict != cases[i].verdict || !strstr(found.cell, cases[i].cell))
             fail_msg("case %zu: %s: %s", i, found.cell, found.reason);
         bl_signal_free(signal);
     }
     bl_signal *constant = bl_test_constant(0.25); // it has a seed, and so it states that it varies
-    bl_score_property found = judge(constant);
+    bl_score_property found = bl_test_score(constant, "scale", BL_QUICK, 1);
     assert_int_equal(found.verdict, BL_VERDICT_FAIL);
     assert_int_equal(found.against, BL_AGAINST_CLAIM);
     assert_string_equal(found.cell, "constant");
@@ -165,7 +155,7 @@ static void test_a_stated_cell_that_is_wrong_fails(void **state) {
     static const double stated[] = {1, 0.01, 1e5, 100, 50, 300};
     for (size_t i = 0; i < sizeof stated / sizeof *stated; i++) {
         signal->facts.cell = stated[i];
-        bl_score_property found = judge(signal);
+        bl_score_property found = bl_test_score(signal, "scale", BL_QUICK, 1);
         assert_int_equal(found.against, BL_AGAINST_CLAIM);
         assert_int_equal(found.verdict, i < 3 ? BL_VERDICT_FAIL : BL_VERDICT_PASS);
     }
@@ -178,27 +168,18 @@ static void test_verdicts_do_not_depend_on_the_cell_being_stated(void **state) {
     (void)state;
     static const char *const names[] = {"range",      "period", "symmetry", "stationarity",
                                         "continuity", "far",    "isotropy"};
-    const bl_score_settings own = settings();
-    static bl_score scores[2];
-    bl_message message = {""};
     bl_signal *inner = bl_test_open("vnoise:seed=3", BL_ISA_BEST);
     stretch = 100;
     bl_signal *signal = bl_test_seen_through(inner, stretched);
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        const size_t index = bl_property_index(names[i]);
-        for (int s = 0; s < 2; s++) {
-            bl_score_subject subject = {.signal = signal};
-            signal->facts.cell = s ? stretch : NAN;
-            assert_int_equal(
-                bl_score_measure(&subject, &own, UINT64_C(1) << index, &scores[s], &message),
-                BL_OK);
-        }
-        const bl_score_property *found = &scores[0].properties[index],
-                                *right = &scores[1].properties[index];
-        if (found->verdict != right->verdict || strcmp(found->cell, right->cell) != 0)
+        signal->facts.cell = NAN;
+        bl_score_property found = bl_test_score(signal, names[i], BL_QUICK, 1);
+        signal->facts.cell = stretch;
+        bl_score_property right = bl_test_score(signal, names[i], BL_QUICK, 1);
+        if (found.verdict != right.verdict || strcmp(found.cell, right.cell) != 0)
             fail_msg("%s: %s %s, and with the cell stated %s %s", names[i],
-                     bl_verdict_word(found->verdict), found->cell, bl_verdict_word(right->verdict),
-                     right->cell);
+                     bl_verdict_word(found.verdict), found.cell, bl_verdict_word(right.verdict),
+                     right.cell);
     }
     bl_signal_free(signal);
     bl_signal_free(inner);

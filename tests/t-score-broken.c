@@ -12,7 +12,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include "core/statistics.h"
-#include "score/score.h"
+#include "tests/scores.h"
 #include "tests/broken.h"
 #include "tests/test_signals.h"
 #include "tests/texts.h"
@@ -25,18 +25,11 @@ enum { COUNT = sizeof names / sizeof *names };
 static bl_score_property measure(const bl_signal *signal, const char *name, bl_size size,
                                  uint64_t seed, double alpha, int threads) {
     bl_score_settings settings = bl_score_default_settings();
-    bl_score_subject subject = {.signal = signal};
-    bl_message message = {""};
-    static bl_score score;
-    const size_t index = bl_property_index(name);
-    assert_true(index < bl_property_count());
     settings.size = size;
     settings.seed = seed;
     settings.alpha = alpha;
     settings.threads = threads;
-    if (bl_score_measure(&subject, &settings, UINT64_C(1) << index, &score, &message) != BL_OK)
-        fail_msg("%s of %s: %s", name, signal->text, message.text);
-    return score.properties[index];
+    return bl_test_score_with(&(bl_score_subject){.signal = signal}, name, &settings);
 }
 
 static bl_score_property quick(const bl_signal *signal, const char *name) {

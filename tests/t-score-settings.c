@@ -8,7 +8,7 @@
 // share; the few hundred settings together fail by chance with less than 1e-4.
 #include "tests/test.h"
 
-#include "score/score.h"
+#include "tests/scores.h"
 #include "tests/texts.h"
 
 #define ALPHA 1e-7
@@ -21,20 +21,15 @@ enum { COUNT = sizeof names / sizeof *names };
 
 // Returns the number of failing claims, which it prints.
 static unsigned check(const char *text, const char *name) {
-    static bl_score score;
     bl_score_settings settings = bl_score_default_settings();
-    bl_message message = {""};
     bl_signal *signal = bl_test_open(text, BL_ISA_BEST);
-    bl_score_subject subject = {.signal = signal};
-    const size_t index = bl_property_index(name);
     unsigned failures = 0;
-    assert_true(index < bl_property_count());
     settings.size = BL_QUICK;
     settings.alpha = ALPHA;
     settings.threads = 1; // a busy machine makes many threads slow
-    if (bl_score_measure(&subject, &settings, UINT64_C(1) << index, &score, &message) != BL_OK)
-        fail_msg("%s of %s: %s", name, text, message.text);
-    const bl_score_property *found = &score.properties[index];
+    const bl_score_property result =
+        bl_test_score_with(&(bl_score_subject){.signal = signal}, name, &settings);
+    const bl_score_property *found = &result;
     for (size_t k = 0; k < found->claim_count; k++)
         if (found->claims[k].verdict == BL_VERDICT_FAIL) {
             print_error("%s: %s of %s: %s\n", text, found->claims[k].name, name,

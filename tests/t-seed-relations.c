@@ -11,6 +11,7 @@
 #include "core/random.h"
 #include "noises/noise.h"
 #include "tests/scores.h"
+#include "tests/test_signals.h"
 #include "tests/texts.h"
 
 // gnoise of a seed that is bent, and a share of gnoise of another bent seed added to it.
@@ -128,14 +129,7 @@ static bl_signal *make(int which) {
     static const bl_signal_functions functions = {
         .points = points, .value = value, .build = build, .release = release};
     block b = {.seed = 5, .which = which};
-    bl_signal *signal = bl_signal_new(&functions, &b, sizeof b, "related");
-    assert_non_null(signal);
-    assert_int_equal(bl_signal_build(signal, NULL), BL_OK);
-    signal->seed_offset = offsetof(block, seed);
-    signal->dimensions = 3;
-    signal->facts = bl_facts_unknown();
-    signal->facts.cell = 1;
-    return signal;
+    return bl_test_built(&functions, &b, sizeof b, offsetof(block, seed), "related");
 }
 
 static void check(int which, uint64_t seed, bl_verdict verdict, const char *told) {

@@ -260,9 +260,7 @@ static void compare_points(const subject *one, const bl_signal *signal, bl_rando
             for (int a = 0; a < BL_AXES; a++)
                 column[a][i] = at[a];
         }
-        bl_signal_points(signal,
-                         (const double *const[]){column[0], column[1], column[2], column[3]},
-                         SAMPLES, out);
+        bl_signal_points(signal, BL_COLUMNS(column), SAMPLES, out);
         for (size_t i = 0; i < SAMPLES; i++) {
             const double at[BL_AXES] = {column[0][i], column[1][i], column[2][i], 0};
             compare(one, at, (double)out[i], 32 * 0x1p-24 * signal->facts.upper, "points");
@@ -361,9 +359,7 @@ static void visit_lattice(const bl_signal *signal, uint64_t stream, lattice_poin
         bl_signal_row(signal, start, step, 9, row);
         visit->row[i] = row[8];
     }
-    bl_signal_points(
-        signal, (const double *const[]){visit->at[0], visit->at[1], visit->at[2], visit->at[3]},
-        SAMPLES, visit->points);
+    bl_signal_points(signal, BL_COLUMNS(visit->at), SAMPLES, visit->points);
 }
 
 static void test_gnoise_is_zero_on_the_lattice_and_has_the_lattice_gradient(void **state) {

@@ -6,7 +6,7 @@
 #include "tests/test.h"
 
 #include "score/properties/special.h"
-#include "score/score.h"
+#include "tests/scores.h"
 #include "tests/test_signals.h"
 
 static double fraction(double x) {
@@ -114,19 +114,14 @@ static const look looks[] = {
     {"floats", of_floats, NULL, NULL, 1e4, 0, 0},
     {"floats", of_floats, NULL, NULL, 0, 0, 0}};
 
+// The scale is stated, and not sought.
 static bl_score_property measure(const bl_signal *signal, const char *property) {
-    static bl_score score;
     bl_score_settings settings = bl_score_default_settings();
-    bl_message message = {""};
-    size_t index = bl_property_index(property);
     settings.size = BL_QUICK;
     settings.threads = 1;
-    // The scale is stated, and not sought.
-    bl_score_subject subject = {.signal = signal,
-                                .scale = {.variation = BL_VARIES, .stated = signal->facts.cell}};
-    if (bl_score_measure(&subject, &settings, UINT64_C(1) << index, &score, &message) != BL_OK)
-        fail_msg("%s: %s", property, message.text);
-    return score.properties[index];
+    const bl_score_subject subject = {
+        .signal = signal, .scale = {.variation = BL_VARIES, .stated = signal->facts.cell}};
+    return bl_test_score_with(&subject, property, &settings);
 }
 
 static bl_signal *open_look(const bl_signal *inner, const look *l) {

@@ -10,6 +10,7 @@
 
 #include "noises/noise.h"
 #include "tests/scores.h"
+#include "tests/test_signals.h"
 #include "tests/texts.h"
 
 static void expect(const bl_signal *signal, bl_size size, bl_verdict verdict, const char *told) {
@@ -122,13 +123,7 @@ static void test_a_variance_that_changes_from_cell_to_cell_is_found(void **state
         if (!bl_test_walk(bl_test_scaled(8, 0) >= 8 || i % 3 == 0))
             continue;
         memcpy(b.frequency, waves[i].frequency, sizeof b.frequency);
-        bl_signal *signal = bl_signal_new(&functions, &b, sizeof b, "wave");
-        assert_non_null(signal);
-        assert_int_equal(bl_signal_build(signal, NULL), BL_OK);
-        signal->seed_offset = offsetof(block, seed);
-        signal->dimensions = 3;
-        signal->facts = bl_facts_unknown();
-        signal->facts.cell = 1;
+        bl_signal *signal = bl_test_built(&functions, &b, sizeof b, offsetof(block, seed), "wave");
         signal->facts.stationary = 1;
         bl_score_property found = bl_test_score(signal, "stationarity", BL_QUICK, 1);
         // 128 cells hold no whole number of some waves: the nearest is told.

@@ -6,6 +6,7 @@
 
 #include "core/hash.h"
 #include "core/random.h"
+#include "tests/test.h"
 
 typedef struct block {
     uint64_t seed;
@@ -184,5 +185,18 @@ bl_signal *bl_test_seen_through(const bl_signal *inner, bl_test_view *view) {
     bl_signal *signal = make(b, &functions, "seen-through");
     signal->dimensions = inner->dimensions;
     signal->seed_offset = SIZE_MAX;
+    return signal;
+}
+
+bl_signal *bl_test_built(const bl_signal_functions *with, const void *parameters, size_t size,
+                         size_t seed_offset, const char *text) {
+    bl_message message = {""};
+    bl_signal *signal = bl_signal_new(with, parameters, size, text);
+    if (!signal || bl_signal_build(signal, &message) != BL_OK)
+        fail_msg("%s: %s", text, signal ? message.text : "out of memory");
+    signal->seed_offset = seed_offset;
+    signal->dimensions = 3;
+    signal->facts = bl_facts_unknown();
+    signal->facts.cell = 1;
     return signal;
 }

@@ -33,6 +33,11 @@ bl_signal *bl_test_flicker(double depth);
 typedef double bl_test_view(const bl_signal *inner, const double at[BL_AXES]);
 bl_signal *bl_test_seen_through(const bl_signal *inner, bl_test_view *view);
 
+// A signal around a copy of the block, built, that draws from the seed at the offset. It has three
+// axes, and states a cell of 1 and nothing else.
+bl_signal *bl_test_built(const bl_signal_functions *functions, const void *block, size_t size,
+                         size_t seed_offset, const char *text);
+
 // A constant; and a signal that is not finite where x > 0.
 bl_signal *bl_test_constant(double value);
 bl_signal *bl_test_broken(void);

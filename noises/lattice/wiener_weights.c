@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "core/quadrature.h"
+#include "core/sinc.h"
 
 enum { NODES = BL_WIENER_DEGREE + 1 };
 
@@ -21,7 +22,7 @@ static double covariance_at(const bl_wiener_kernel *kernel, double d, double *sl
             *slope = -M_PI * M_PI / 3 * x / kernel->width;
             return 1 - M_PI * M_PI / 6 * x * x;
         }
-        rho = sin(M_PI * x) / (M_PI * x);
+        rho = bl_sinc(x);
         *slope = (cos(M_PI * x) - rho) / d;
         return rho;
     default:

@@ -90,8 +90,7 @@ static double measure_lost(const bl_signal *basis, const bl_octaves_rules *rules
             for (int i = 0; i < BATCH; i++)
                 for (int a = 0; a < BL_AXES; a++)
                     at[a][i] = 0x1p21 * bl_random_unit(&random) - 0x1p20;
-            bl_signal_points(fresh, (const double *const[]){at[0], at[1], at[2], at[3]}, BATCH,
-                             out);
+            bl_signal_points(fresh, BL_COLUMNS(at), BATCH, out);
             for (int i = 0; i < BATCH; i++)
                 sum += bl_octaves_fold(rules, (double)out[i], &slope);
             total += sum;

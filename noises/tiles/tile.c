@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/sinc.h"
 #include "noises/lattice/kernel.h"
 #include "noises/lattice/lattice.h"
 #include "noises/tiles/tile_covariance.h"
@@ -179,24 +180,20 @@ void bl_tile_describe(const bl_tile *tile, bl_facts *facts) {
 
 // --- the kernels' spectra -----------------------------------------------------------------------
 
-static double sinc(double v) {
-    return v == 0 ? 1 : sin(M_PI * v) / (M_PI * v);
-}
-
 double bl_tile_transform(bl_tile_kernel kernel, double v) {
     switch (kernel) {
     case BL_TILE_BSPLINE3:
-        return pow(sinc(v), 4);
+        return pow(bl_sinc(v), 4);
     case BL_TILE_CATMULL_ROM:
         return bl_kernel_transform(BL_KERNEL_CATMULL_ROM, v);
     case BL_TILE_LINEAR:
-        return pow(sinc(v), 2);
+        return pow(bl_sinc(v), 2);
     case BL_TILE_NEAREST:
-        return sinc(v);
+        return bl_sinc(v);
     case BL_TILE_BSPLINE2:
-        return pow(sinc(v), 3);
+        return pow(bl_sinc(v), 3);
     default:
-        return 2 * pow(sinc(2 * v), 3);
+        return 2 * pow(bl_sinc(2 * v), 3);
     }
 }
 

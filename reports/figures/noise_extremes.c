@@ -24,7 +24,7 @@ static double largest_error(const bl_signal *signal, int decade, bl_random *rand
             if (a == 0 && i % 2 && scale >= 1)
                 at[a][i] = floor(at[a][i]);
         }
-    bl_signal_points(signal, (const double *const[]){at[0], at[1], at[2], at[3]}, PLACES, out);
+    bl_signal_points(signal, BL_COLUMNS(at), PLACES, out);
     for (int i = 0; i < PLACES; i++) {
         const double here[BL_AXES] = {at[0][i], at[1][i], at[2][i], at[3][i]};
         if (scale * 4 > bl_signal_domain(signal))

@@ -12,15 +12,14 @@
 // Judged is the leak along x, outside of the band, by one-sided limits at the property's share of
 // alpha, which hold whatever the window smears over the edges. Where they settle nothing a second
 // look takes more averages, or longer lines, whose smear is less; each of the two looks has half of
-// that share. A leak that is stated fails where
-// the lower limit lies above it. It is a number, not a budget: one that is exactly right lies
-// between the limits however many averages there are, so it passes where the upper limit is less
-// than 1 dB above it, and is inconclusive else. If a band is stated, it is what is judged. Of one
-// without a number the leak has a budget, which pass needs the upper limit to keep: -30 dB where
-// none is stated; where it states no leak at all, or less than arithmetic can show, -80 dB, the
-// floor: a line at the very edge of the band leaves 10^-9 of its power in the side lobes of the
-// window, and float rows round at 10^-11 of the variance or less. Without a band the ideal asks for
-// at most -30 dB above 1 cycle per unit, as a budget too.
+// that share. A leak that is stated fails where the lower limit lies above it. It is a number, not
+// a budget: one that is exactly right lies between the limits however many averages there are, so
+// it passes where the upper limit is less than 1 dB above it, and is inconclusive else. If a band
+// is stated, it is what is judged. Of one without a number the leak has a budget, which pass needs
+// the upper limit to keep: -30 dB where none is stated; where it states no leak at all, or less
+// than arithmetic can show, -80 dB, the floor: a line at the very edge of the band leaves 10^-9 of
+// its power in the side lobes of the window, and float rows round at 10^-11 of the variance or
+// less. Without a band the ideal asks for at most -30 dB above 1 cycle per unit, as a budget too.
 //
 // A density that ends at the edge with a step is smeared over it however long the lines are, so a
 // band without a number is judged beyond the edge and twice the smear, on lines sixteen times as

@@ -29,6 +29,7 @@
 #include <string.h>
 
 #include "core/grid.h"
+#include "core/statistics.h"
 #include "score/properties/overflow.h"
 #include "score/properties/sampling.h"
 
@@ -61,11 +62,6 @@ typedef struct view {
     int is_finite;
 } view;
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static size_t count_distinct(const double *values, size_t count) {
     double sorted[PLACES];
     size_t finite = 0;
@@ -73,7 +69,7 @@ static size_t count_distinct(const double *values, size_t count) {
         if (isfinite(values[i]))
             sorted[finite++] = values[i];
     size_t distinct = finite > 0;
-    qsort(sorted, finite, sizeof *sorted, ascending);
+    qsort(sorted, finite, sizeof *sorted, bl_ascending);
     for (size_t i = 1; i < finite; i++)
         distinct += sorted[i] != sorted[i - 1];
     return distinct;
@@ -105,8 +101,7 @@ static view view_of(const bl_signal *signal, double far, unsigned axis, double c
     float points[PLACES];
     view v = {.is_finite = 1};
     size_t count = choose_places(far, axis, cell, &random, column);
-    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
-                     count, points);
+    bl_signal_points(signal, BL_COLUMNS(column), count, points);
     for (size_t i = 0; i < count; i++) {
         const double at[BL_AXES] = {column[0][i], column[1][i], column[2][i], column[3][i]};
         reference[i] = bl_signal_value(signal, at);
@@ -153,9 +148,7 @@ static void take(const bl_signal *signal, const bl_score_look *look, bl_random r
         for (int a = 0; a < BL_AXES; a++)
             column[a][i] = look->cell * (2048 * (bl_random_unit(&random) - 0.5)) +
                            (i < EACH ? 0 : look->cell * FAR_PLACE);
-    bl_signal_points(fresh.signal,
-                     (const double *const[]){column[0], column[1], column[2], column[3]}, 2 * EACH,
-                     value);
+    bl_signal_points(fresh.signal, BL_COLUMNS(column), 2 * EACH, value);
     bl_score_fresh_close(&fresh);
     *near = *far = 0;
     for (size_t i = 0; i < 2 * EACH; i++) {

@@ -22,6 +22,7 @@
 #include <stdlib.h>
 
 #include "core/grid.h"
+#include "core/statistics.h"
 
 #define STEP 0x1p-12 // of the finest cell
 #define TOLERANCE 1e-4
@@ -73,11 +74,6 @@ static void take(const bl_signal *signal, const bl_score_look *look, bl_random r
         if (signal->facts.continuity < 1)
             p->disagreement[a] = disagreement_of(signal, p->at, a, step / 2);
     }
-}
-
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
 }
 
 static int is_rough(const place *p, double least) {
@@ -133,7 +129,7 @@ static void judge(const place *places, size_t all, unsigned dimensions, double *
                        "most places are too near a jump of the value or of a derivative");
         return;
     }
-    qsort(error, count, sizeof *error, ascending);
+    qsort(error, count, sizeof *error, bl_ascending);
     double share = (double)wrong / (double)count, median = error[count / 2];
     bl_score_add_seen(result, "median_error", median);
     bl_score_add_seen(result, "error_of_95_percent", error[count * 95 / 100]);

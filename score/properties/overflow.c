@@ -5,6 +5,7 @@
 
 #include "core/grid.h"
 #include "score/properties/places.h"
+#include "score/properties/sampling.h"
 #include "score/properties/special.h"
 
 enum { FIRST = 10, LAST = 63, POWERS = LAST - FIRST + 1, CLOSE = 16 };
@@ -155,7 +156,7 @@ _Static_assert(POWERS % 6 == 0, "the powers come in sixes");
 
 void bl_overflow_find(const bl_signal *signal, const bl_score_settings *settings,
                       bl_overflow_place found[BL_OVERFLOW_KINDS]) {
-    const double cell = signal->facts.cell > 0 ? signal->facts.cell : 1;
+    const double cell = bl_score_cell(signal);
     for (int kind = 0; kind < BL_OVERFLOW_KINDS; kind++)
         found[kind] = (bl_overflow_place){.from = INFINITY};
     usual u = usual_of(signal, settings, cell);

@@ -69,8 +69,7 @@ static int points_repeat(const walk *w, double shift) {
             column[a][BL_SAME_PLACES + i] = at[a] + (a == w->axis ? shift * w->look->cell : 0);
         }
     }
-    bl_signal_points(w->signal, (const double *const[]){column[0], column[1], column[2], column[3]},
-                     2 * BL_SAME_PLACES, value);
+    bl_signal_points(w->signal, BL_COLUMNS(column), 2 * BL_SAME_PLACES, value);
     for (int i = 0; i < BL_SAME_PLACES; i++) {
         const double at[BL_AXES] = {column[0][BL_SAME_PLACES + i], column[1][BL_SAME_PLACES + i],
                                     column[2][BL_SAME_PLACES + i], column[3][BL_SAME_PLACES + i]};

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "score/properties/sampling.h"
+
 enum { LOOKS = 1024, FRESH = 9, FRESH_LOOKS = 32 };
 
 // The blocks of 2^24 streams that were given out first, by number; every other name has the block
@@ -25,10 +27,16 @@ bl_random bl_score_random(const bl_score_settings *settings, const char *propert
     return bl_random_seed(settings->seed, block_of(property) + stream);
 }
 
+void bl_score_spread(bl_random *random, double cell, size_t count, double *const at[BL_AXES]) {
+    for (size_t i = 0; i < count; i++)
+        for (int a = 0; a < BL_AXES; a++)
+            at[a][i] = cell * (i % 2 ? 32 : 2000) * (bl_random_unit(random) - 0.5);
+}
+
 int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *settings,
                      bl_score_property *result, bl_score_look *look) {
     const bl_signal *signal = subject->signal;
-    double cell = signal->facts.cell > 0 ? signal->facts.cell : 1, column[BL_AXES][LOOKS];
+    double cell = bl_score_cell(signal), column[BL_AXES][LOOKS];
     float value[LOOKS];
     bl_moments moments = {.n = 0};
     bl_random random = bl_score_random(settings, "look", 0);
@@ -41,11 +49,9 @@ int bl_score_look_at(const bl_score_subject *subject, const bl_score_settings *s
                        "the signal is a grid of samples, which has no values between them");
         return 0;
     }
-    for (int i = 0; i < LOOKS; i++)
-        for (int a = 0; a < BL_AXES; a++)
-            column[a][i] = cell * (i % 2 ? 32 : 2000) * (bl_random_unit(&random) - 0.5);
-    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
-                     LOOKS, value);
+    bl_score_spread(&random, cell, LOOKS,
+                    (double *const[]){column[0], column[1], column[2], column[3]});
+    bl_signal_points(signal, BL_COLUMNS(column), LOOKS, value);
     double lower = INFINITY, upper = -INFINITY;
     for (int i = 0; i < LOOKS; i++) {
         if (!isfinite(value[i])) {
@@ -79,8 +85,7 @@ static int is_constant(const bl_signal *signal, double cell, bl_random *random, 
     for (int i = 0; i < FRESH_LOOKS; i++)
         for (int a = 0; a < BL_AXES; a++)
             column[a][i] = cell * 16 * (bl_random_unit(random) - 0.5);
-    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
-                     FRESH_LOOKS, values);
+    bl_signal_points(signal, BL_COLUMNS(column), FRESH_LOOKS, values);
     *value = (double)values[0];
     for (int i = 1; i < FRESH_LOOKS; i++)
         if (!(values[i] == values[0])) // NaN is no constant
@@ -90,7 +95,7 @@ static int is_constant(const bl_signal *signal, double cell, bl_random *random, 
 
 int bl_score_varies(const bl_signal *signal, const bl_score_settings *settings,
                     bl_score_property *result) {
-    double cell = signal->facts.cell > 0 ? signal->facts.cell : 1, first = NAN;
+    double cell = bl_score_cell(signal), first = NAN;
     int constant = 0, differs = 0;
     if (signal->seed_offset == SIZE_MAX || signal->extent.size[0])
         return 1;

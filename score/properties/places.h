@@ -58,6 +58,9 @@ typedef struct bl_score_fresh {
 bl_score_fresh bl_score_fresh_open(const bl_signal *signal, uint64_t seed);
 void bl_score_fresh_close(bl_score_fresh *fresh);
 
+// Random places, every second one within 16 cells of 0 and the others within 1000.
+void bl_score_spread(bl_random *random, double cell, size_t count, double *const at[BL_AXES]);
+
 // A whole number of cells within 2^15 of 0, in units: near enough for noises of float coordinates,
 // whose resolution far out is the question of another property.
 double bl_score_base(bl_random *random, double cell);

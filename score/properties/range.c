@@ -119,7 +119,7 @@ static int fill_block(const bl_signal *signal, const bl_score_settings *settings
 static void climb(const bl_signal *signal, double sign, extreme *best) {
     bl_signal *fresh = bl_signal_reseed(signal, best->seed);
     const bl_signal *here = fresh ? fresh : signal;
-    double cell = signal->facts.cell > 0 ? signal->facts.cell : 1, step = 0.25 * cell;
+    double cell = bl_score_cell(signal), step = 0.25 * cell;
     double value = bl_signal_value(here, best->at);
     int steps = 0;
     if (isfinite(value))
@@ -305,27 +305,20 @@ static void meet_special(findings *found, const bl_signal *signal, double cell, 
     }
 }
 
-static uint64_t own_seed(const bl_signal *signal) {
-    uint64_t seed = 0;
-    if (signal->seed_offset != SIZE_MAX)
-        memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);
-    return seed;
-}
-
 static void meet_far(findings *found, const bl_signal *signal, const bl_score_settings *settings) {
     bl_overflow_place broken[BL_OVERFLOW_KINDS];
     bl_overflow_find(signal, settings, broken);
     for (int kind = BL_OVERFLOW_RANGE; kind <= BL_OVERFLOW_NAN; kind++)
         if (broken[kind].from <= bl_overflow_domain(signal, BL_OVERFLOW_LAST))
-            meet(found, signal, broken[kind].value, broken[kind].at, own_seed(signal));
+            meet(found, signal, broken[kind].value, broken[kind].at, bl_signal_seed(signal));
 }
 
 static void look_on_purpose(const bl_signal *signal, const bl_score_settings *settings,
                             findings *found) {
     enum { SEEDS = 3 };
-    double cell = signal->facts.cell > 0 ? signal->facts.cell : 1;
+    double cell = bl_score_cell(signal);
     for (uint64_t s = 0; s < SEEDS; s++) {
-        uint64_t seed = s ? seed_of_block(settings, (size_t)s) : own_seed(signal);
+        uint64_t seed = s ? seed_of_block(settings, (size_t)s) : bl_signal_seed(signal);
         meet_special(found, signal, cell, seed, bl_score_random(settings, "range", s));
         if (cell != 1)
             meet_special(found, signal, 1, seed, bl_score_random(settings, "range", SEEDS + s));

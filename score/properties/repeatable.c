@@ -301,7 +301,7 @@ static size_t try_scales(trial *t) {
     // Where a signal does not say how far it reaches, a float of its own reaches that far.
     double far = isfinite(signal->facts.far) ? signal->facts.far / 1024 : 1e6;
     bl_random random = bl_random_seed(t->settings->seed, 0);
-    const double cell = signal->facts.cell > 0 ? signal->facts.cell : 1;
+    const double cell = bl_score_cell(signal);
     t->is_near = 1;
     if (!bl_score_on_grid(signal) && try_special(t, cell)) {
         bl_random own = bl_score_random(t->settings, "repeatable", 1);
@@ -400,11 +400,7 @@ static bl_status measure(const bl_score_subject *subject, const bl_score_setting
     t->settings = settings;
     t->lower = INFINITY;
     t->upper = -INFINITY;
-    if (signal->seed_offset != SIZE_MAX) {
-        uint64_t seed;
-        memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);
-        t->twin = bl_signal_reseed(signal, seed);
-    }
+    t->twin = bl_signal_reseed(signal, bl_signal_seed(signal));
     bl_race race;
     look_for_race(t, &race);
     size_t scales = try_scales(t);

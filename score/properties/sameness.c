@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "score/properties/sameness.h"
+#include "core/statistics.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -132,11 +133,6 @@ bl_score_likeness bl_score_compare(const bl_signal *signal, const bl_score_look 
 enum { TRIED = 256, PROBES = 2 };
 #define FLOATS 1e-4 // of the range: floats of correct rows and points differ by less
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 // Two places, among many, whose values are far from the middle one and from each other. They are
 // odd eighths of a cell, which floats keep far out, and where noises of a lattice are not 0.
 static void choose_probes(const bl_signal *signal, const bl_score_look *look, bl_random *random,
@@ -149,7 +145,7 @@ static void choose_probes(const bl_signal *signal, const bl_score_look *look, bl
             at[i][a] = look->cell * (floor(at[i][a] / look->cell * 4) / 4 + 0.125);
         sorted[i] = value[i] = bl_signal_value(signal, at[i]);
     }
-    qsort(sorted, TRIED, sizeof *sorted, ascending);
+    qsort(sorted, TRIED, sizeof *sorted, bl_ascending);
     double middle = sorted[TRIED / 2];
     for (size_t i = 1; i < TRIED; i++)
         if (fabs(value[i] - middle) > fabs(value[best[0]] - middle))
@@ -179,9 +175,7 @@ void bl_score_likely(const bl_signal *signal, const bl_score_look *look, const b
             for (int a = 0; a < BL_AXES; a++)
                 column[a][i] = image[a];
         }
-        bl_signal_points(signal,
-                         (const double *const[]){column[0], column[1], column[2], column[3]},
-                         PROBES * now, value);
+        bl_signal_points(signal, BL_COLUMNS(column), PROBES * now, value);
         for (size_t i = 0; i < now; i++) {
             double first = (double)value[PROBES * i], second = (double)value[PROBES * i + 1];
             is_likely[from + i] =

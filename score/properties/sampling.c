@@ -8,6 +8,10 @@ int bl_score_on_grid(const bl_signal *signal) {
     return signal->extent.size[0] != 0;
 }
 
+double bl_score_cell(const bl_signal *signal) {
+    return signal->facts.cell > 0 ? signal->facts.cell : 1;
+}
+
 void bl_score_place(const bl_signal *signal, double reach, bl_random *random, double at[BL_AXES]) {
     for (int a = 0; a < BL_AXES; a++) {
         double unit = bl_random_unit(random); // below 1, so the index is below the size

@@ -14,6 +14,9 @@ int bl_score_on_grid(const bl_signal *signal);
 // A random place: a sample of the grid, or uniform in +-reach on every axis.
 void bl_score_place(const bl_signal *signal, double reach, bl_random *random, double at[BL_AXES]);
 
+// The distance of the planes of the lattice, in units: what is stated or was found; 1 where neither.
+double bl_score_cell(const bl_signal *signal);
+
 // Whether it states a band, with a leak or without.
 int bl_score_states_band(const bl_signal *signal);
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/statistics.h"
 #include "score/properties/places.h"
 #include "score/properties/sampling.h"
 
@@ -51,9 +52,7 @@ static double unrelatedness(const seeds *all, const bl_score_settings *settings,
                 column[a][2 * i] = column[a][2 * i + 1] = 512 * h * (bl_random_unit(&random) - 0.5);
             column[axis][2 * i + 1] += h * (1 + bl_random_unit(&random));
         }
-        bl_signal_points(all->fresh[s].signal,
-                         (const double *const[]){column[0], column[1], column[2], column[3]},
-                         2 * PAIRS, value);
+        bl_signal_points(all->fresh[s].signal, BL_COLUMNS(column), 2 * PAIRS, value);
         for (int i = 0; i < PAIRS; i++) {
             double here = (double)value[2 * i], there = (double)value[2 * i + 1];
             if (!isfinite(here) || !isfinite(there))
@@ -223,30 +222,25 @@ static double find_lattice(const seeds *all, const bl_score_settings *settings, 
 
 // --- both ---------------------------------------------------------------------------------------
 
-static int ascending(const void *a, const void *b) {
-    float x = *(const float *)a, y = *(const float *)b;
-    return (x > y) - (x < y);
-}
-
 // The share of the commonest value at places near 0 and far, over the seeds; NAN where one is none.
 static double constant_share(const seeds *all, const bl_score_settings *settings, double cell) {
     enum { EACH = 256, PLACES = SEEDS * EACH };
-    float value[PLACES];
+    double value[PLACES];
     size_t most = 0;
     bl_random random = bl_score_random(settings, "constant", 0);
     for (int s = 0; s < SEEDS; s++) {
         double column[BL_AXES][EACH];
+        float seen[EACH];
+        bl_score_spread(&random, cell, EACH,
+                        (double *const[]){column[0], column[1], column[2], column[3]});
+        bl_signal_points(all->fresh[s].signal, BL_COLUMNS(column), EACH, seen);
         for (int i = 0; i < EACH; i++)
-            for (int a = 0; a < BL_AXES; a++)
-                column[a][i] = cell * (i % 2 ? 32 : 2000) * (bl_random_unit(&random) - 0.5);
-        bl_signal_points(all->fresh[s].signal,
-                         (const double *const[]){column[0], column[1], column[2], column[3]}, EACH,
-                         value + (size_t)s * EACH);
+            value[s * EACH + i] = (double)seen[i];
     }
     for (int i = 0; i < PLACES; i++)
         if (!isfinite(value[i]))
             return NAN;
-    qsort(value, PLACES, sizeof *value, ascending);
+    qsort(value, PLACES, sizeof *value, bl_ascending);
     for (size_t from = 0, to; from < PLACES; from = to) {
         for (to = from; to < PLACES && value[to] == value[from]; to++) {
         }

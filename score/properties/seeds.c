@@ -115,8 +115,7 @@ static void sample_at(const bl_signal *signal, const bl_score_look *look, const 
     for (size_t a = 0; a < BL_AXES; a++)
         for (size_t i = 0; i < places; i++)
             column[a][i] = place[a][i] + look->cell * by[a];
-    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
-                     places, value);
+    bl_signal_points(signal, BL_COLUMNS(column), places, value);
     for (size_t i = 0; i < places; i++)
         out[i] = cut(((double)value[i] - look->mean) / look->deviation);
 }
@@ -159,7 +158,7 @@ static size_t places_at(size_t shift) {
 static uint64_t seed_of_look(const bl_signal *signal, size_t index, bl_random *random) {
     uint64_t seed = bl_random_bits(random);
     if (index == 0)
-        memcpy(&seed, (const char *)signal->parameters + signal->seed_offset, sizeof seed);
+        seed = bl_signal_seed(signal);
     else if (index % 2)
         seed = 1 + seed % 255;
     return seed ? seed : 1;
@@ -205,14 +204,13 @@ static double correlation(const looks *all, size_t change, size_t shift) {
 
 typedef struct test {
     size_t change, shift;
-    const double *by; // the shift, in cells
     double t;
     bl_estimate correlation; // at the level that is shown
     int is_missing;
 } test;
 
 static void run_test(const bl_signal *signal, const bl_score_look *look,
-                     const bl_score_settings *settings, test *tried) {
+                     const bl_score_settings *settings, const double by[BL_AXES], test *tried) {
     double contrast[TESTED_SEEDS], product[TESTED_SEEDS], power[TESTED_SEEDS];
     int is_missing = 0;
 #pragma omp parallel for num_threads(bl_thread_count(settings->threads)) schedule(dynamic)         \
@@ -228,8 +226,8 @@ static void run_test(const bl_signal *signal, const bl_score_look *look,
         contrast[j] = product[j] = power[j] = 0;
         const double here[BL_AXES] = {0};
         if (!sample(signal, look, seed, here, places, place, u) ||
-            !sample(signal, look, changed_seed(seed, tried->change), tried->by, places, place, v) ||
-            !sample(signal, look, other, tried->by, places, place, control)) {
+            !sample(signal, look, changed_seed(seed, tried->change), by, places, place, v) ||
+            !sample(signal, look, other, by, places, place, control)) {
             is_missing = 1;
             continue;
         }
@@ -260,8 +258,8 @@ static bl_status test_changes(const bl_signal *signal, const bl_score_look *look
             }
         if (!(excess > 1))
             continue;
-        test tried = {.change = c, .shift = most, .by = all->shifts.by[most]};
-        run_test(signal, look, settings, &tried);
+        test tried = {.change = c, .shift = most};
+        run_test(signal, look, settings, all->shifts.by[most], &tried);
         if (tried.is_missing)
             return BL_DEVICE;
         if (!(fabs(tried.t) <= fabs(worst->t)))
@@ -292,15 +290,25 @@ static void judge_dead(const looks *all, bl_score_property *result) {
                    bl_plural(dead), dead == 1 ? "es" : "", first);
 }
 
-static void judge(const test *worst, double limit, const bl_seed_pairs *pairs,
-                  bl_score_property *result) {
-    char change[48], shift[64] = "at the same places";
+// "(1, -1, 0) cells away", or at the same places.
+static void tell_shift(const looks *all, size_t index, unsigned dimensions, char *text,
+                       size_t size) {
+    size_t used = (size_t)snprintf(text, size, "at the same places");
+    for (unsigned a = 0; a < dimensions && index && used < size; a++) {
+        used = a ? used : 0;
+        used +=
+            (size_t)snprintf(text + used, size - used, "%s%+g%s", a ? ", " : "(",
+                             all->shifts.by[index][a], a + 1 < dimensions ? "" : ") cells away");
+    }
+}
+
+static void judge(const looks *all, const test *worst, double limit, const bl_seed_pairs *pairs,
+                  unsigned dimensions, bl_score_property *result) {
+    char change[48], shift[64];
     double largest =
         fmax(fabs(pairs->correlation), worst->t != 0 ? fabs(worst->correlation.value) : 0);
     tell_change(worst->change, change, sizeof change);
-    if (worst->shift)
-        snprintf(shift, sizeof shift, "(%+g, %+g, %+g) cells away", worst->by[0], worst->by[1],
-                 worst->by[2]);
+    tell_shift(all, worst->shift, dimensions, shift, sizeof shift);
     snprintf(result->cell, sizeof result->cell, "|r| %.2g", largest);
     if (isnan(worst->t) || isnan(pairs->correlation))
         bl_score_not_finite(result);
@@ -354,7 +362,7 @@ static bl_status measure_changes(const bl_signal *signal, const bl_score_look *l
     bl_score_add_exact(result, "seeds", (double)(all->seeds + tested * TESTED_SEEDS));
     judge_dead(all, result);
     if (result->verdict != BL_VERDICT_FAIL)
-        judge(&worst, limit, &pairs, result);
+        judge(all, &worst, limit, &pairs, look->dimensions, result);
     return BL_OK;
 }
 

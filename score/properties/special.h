@@ -25,7 +25,4 @@ typedef struct bl_special {
 // The places for a cell of that many units, the origin first.
 void bl_special_fill(bl_special *special, unsigned dimensions, double cell, bl_random *random);
 
-// The columns, as they are asked for.
-#define BL_COLUMNS(at) ((const double *const[BL_AXES]){(at)[0], (at)[1], (at)[2], (at)[3]})
-
 #endif

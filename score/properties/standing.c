@@ -43,8 +43,7 @@ static void take_origin(const bl_signal *signal, const bl_score_look *look, bl_r
             column[a][NEAR + i] = base + column[a][i];
         }
     }
-    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
-                     2 * NEAR, value);
+    bl_signal_points(signal, BL_COLUMNS(column), 2 * NEAR, value);
     for (int i = 0; i < NEAR; i++) {
         double here = (double)value[i] - look->mean, there = (double)value[NEAR + i] - look->mean;
         number[2 * i] = here - there;

@@ -64,8 +64,7 @@ static survey survey_of(const bl_signal *signal, const bl_score_look *look) {
 
 static void sample(const bl_signal *signal, double column[BL_AXES][BLOCK], size_t count,
                    float *out) {
-    bl_signal_points(signal, (const double *const[]){column[0], column[1], column[2], column[3]},
-                     count, out);
+    bl_signal_points(signal, BL_COLUMNS(column), count, out);
 }
 
 static void add(batch *b, unsigned kind, double value, double weight) {

@@ -53,9 +53,7 @@ static void fill_values(const bl_signal *signal, const bl_score_look *look,
                 for (int a = 0; a < BL_AXES; a++)
                     column[a][i] =
                         look->cell * ((double)all->list[from + i].cell[a] + offset[which][a]);
-            bl_signal_points(signal,
-                             (const double *const[]){column[0], column[1], column[2], column[3]},
-                             now, value);
+            bl_signal_points(signal, BL_COLUMNS(column), now, value);
             for (size_t i = 0; i < now; i++)
                 all->list[from + i].value[which] = value[i];
         }

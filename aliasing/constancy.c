@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "aliasing/sameness.h"
+#include "aliasing/constancy.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,15 +8,11 @@
 #include "core/footprint.h"
 #include "core/grid.h"
 #include "core/random.h"
+#include "core/statistics.h"
 #include "textures/texture.h"
 
 enum { SIDE = 128, PLACES = SIDE * SIDE, REACHES = 12, TRIES = 512 };
 _Static_assert((int)SIDE <= (int)BL_BATCH, "a row is one batch");
-
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 // Values are floats: their rounding is no detail.
 static int differs(double value, double from) {
@@ -39,7 +35,7 @@ static void look(const bl_scene *scene, double *value) {
 }
 
 // Looks at random places about 0, within ever wider boxes.
-static void search(const bl_signal *signal, bl_sameness *same) {
+static void search(const bl_signal *signal, bl_constancy *same) {
     bl_random random = bl_random_seed(0, 0);
     for (int i = 0; i < REACHES * TRIES && !same->found; i++) {
         double at[BL_AXES] = {0}, rgb[3];
@@ -57,15 +53,15 @@ static void search(const bl_signal *signal, bl_sameness *same) {
     }
 }
 
-bl_sameness bl_sameness_find(const bl_scene *scene) {
-    bl_sameness same = {.value = NAN, .varies = NAN};
+bl_constancy bl_constancy_find(const bl_scene *scene) {
+    bl_constancy same = {.value = NAN, .varies = NAN};
     double *value = malloc(2 * PLACES * sizeof *value), *sorted = value + PLACES;
     if (!value)
         return same; // no memory for 256 KiB: what comes next says so
     look(scene, value);
     for (int i = 0; i < PLACES; i++)
         sorted[i] = value[i];
-    qsort(sorted, PLACES, sizeof *sorted, ascending);
+    qsort(sorted, PLACES, sizeof *sorted, bl_ascending);
     same.value = sorted[PLACES / 2];
     int others = 0;
     for (int i = 0; i < PLACES; i++)
